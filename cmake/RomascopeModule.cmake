@@ -1,0 +1,10 @@
+# romascope_module(NAME SOURCES ... DEPENDS module... LIBRARIES target...)
+# One folder of renderer/ as one static library, romascope_NAME. DEPENDS names the folders below it.
+function(romascope_module name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  add_library(romascope_${name} STATIC ${ARG_SOURCES})
+  foreach(module IN LISTS ARG_DEPENDS)
+    target_link_libraries(romascope_${name} PUBLIC romascope_${module})
+  endforeach()
+  target_link_libraries(romascope_${name} PUBLIC romascope_options ${ARG_LIBRARIES})
+endfunction()

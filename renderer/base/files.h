@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+
+namespace romascope {
+
+/// Contents of a file. Throws Error (kBadInput) naming the path if it cannot be read.
+std::string read_text_file(const std::filesystem::path& path);
+
+/// Writes all bytes or nothing: to a temporary file beside `path`, which is then renamed.
+/// Makes missing parent folders. Throws Error naming the path and the reason.
+void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
+void write_file_atomically(const std::filesystem::path& path, const std::string& text);
+
+/// `$XDG_CACHE_HOME/romascope`, or `~/.cache/romascope`; not created.
+/// Without a home directory: a folder of this user below the system's temporary directory.
+std::filesystem::path cache_directory();
+
+} // namespace romascope

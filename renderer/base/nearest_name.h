@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace romascope {
+
+/// The name with the smallest edit distance (insert, delete, replace, swap neighbours; case does
+/// not count) to `wanted`; the first of equals; empty if `names` is.
+std::string nearest_name(std::string_view wanted, const std::vector<std::string>& names);
+
+} // namespace romascope
