@@ -3,49 +3,92 @@
 
 #include "renderer/base/error.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
 #include <fstream>
-#include <sstream>
 #include <system_error>
 #include <unistd.h>
 
 namespace romascope {
 namespace fs = std::filesystem;
+namespace {
 
-std::string read_text_file(const fs::path& path) {
-    std::error_code code;
-    if (fs::is_directory(path, code))
-        throw Error("cannot read " + path.string() + ": it is a folder", kBadInput);
-    std::ifstream in(path, std::ios::binary);
-    if (!in)
-        throw Error("cannot read " + path.string() + ": " + std::strerror(errno), kBadInput);
-    std::ostringstream text;
-    text << in.rdbuf();
-    return std::move(text).str();
-}
+/// What the system said last, for the end of an error.
+std::string last_reason() { return errno ? std::strerror(errno) : "input or output failed"; }
 
-void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
-    std::error_code code;
-    if (path.has_parent_path())
-        fs::create_directories(path.parent_path(), code);
-    // The process id keeps two programs that write the same file out of each other's way.
-    const fs::path temporary = path.string() + ".part" + std::to_string(getpid());
-    const auto fail = [&](const std::string& why) {
-        fs::remove(temporary, code);
-        throw Error("cannot write " + path.string() + ": " + why);
-    };
+/// Empty if all went well, else the reason.
+std::string write_bytes(const fs::path& path, std::span<const std::byte> bytes) {
     errno = 0;
-    std::ofstream out(temporary, std::ios::binary);
+    std::ofstream out(path, std::ios::binary);
     out.write(reinterpret_cast<const char*>(bytes.data()),
               static_cast<std::streamsize>(bytes.size()));
     out.close();
-    if (!out)
-        fail(errno ? std::strerror(errno) : "the disk refused it");
-    fs::rename(temporary, path, code);
-    if (code)
+    return out ? std::string() : last_reason();
+}
+
+} // namespace
+
+std::string read_text_file(const fs::path& path) {
+    const auto fail = [&](const std::string& why) {
+        throw Error("cannot read " + path.string() + ": " + why, kBadInput);
+    };
+    std::error_code code;
+    if (fs::is_directory(path, code))
+        fail("it is a folder");
+    errno = 0;
+    std::ifstream in(path, std::ios::binary);
+    if (!in)
+        fail(last_reason());
+    // Not by size: pipes and /proc have none.
+    std::string text;
+    std::array<char, 1 << 16> block;
+    while (in.read(block.data(), block.size()) || in.gcount() > 0)
+        text.append(block.data(), static_cast<size_t>(in.gcount()));
+    if (in.bad())
+        fail(last_reason());
+    return text;
+}
+
+void write_file_atomically(const fs::path& path, std::span<const std::byte> bytes) {
+    const auto fail = [&](const std::string& why) {
+        throw Error("cannot write " + path.string() + ": " + why);
+    };
+    std::error_code code;
+    const fs::file_status status = fs::status(path, code);
+    if (fs::is_directory(status))
+        fail("it is a folder");
+    if (fs::exists(status) && !fs::is_regular_file(status)) {
+        // A rename would put a file in the place of /dev/null or of a pipe.
+        if (const std::string why = write_bytes(path, bytes); !why.empty())
+            fail(why);
+        return;
+    }
+    // A link stays a link, and the file it points to is replaced.
+    const fs::path target = fs::exists(status) ? fs::canonical(path, code) : path;
+    if (fs::exists(status) && code)
         fail(code.message());
+    if (target.has_parent_path()) {
+        fs::create_directories(target.parent_path(), code);
+        if (code)
+            fail("its folder cannot be made: " + code.message());
+    }
+    // Process and count keep programs and threads that write the same file out of each other's way.
+    static std::atomic<unsigned> count = 0;
+    const fs::path temporary =
+        target.string() + ".part" + std::to_string(getpid()) + "-" + std::to_string(count++);
+    std::string why = write_bytes(temporary, bytes);
+    if (why.empty()) {
+        fs::rename(temporary, target, code);
+        if (code)
+            why = code.message();
+    }
+    if (!why.empty()) {
+        fs::remove(temporary, code);
+        fail(why);
+    }
 }
 
 void write_file_atomically(const fs::path& path, const std::string& text) {
@@ -53,11 +96,14 @@ void write_file_atomically(const fs::path& path, const std::string& text) {
 }
 
 fs::path cache_directory() {
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache)
+    // The XDG specification: a relative path counts as none.
+    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
         return fs::path(cache) / "romascope";
     if (const char* home = std::getenv("HOME"); home && *home)
         return fs::path(home) / ".cache" / "romascope";
-    return fs::temp_directory_path() / ("romascope-" + std::to_string(getuid()));
+    std::error_code code;
+    const fs::path temporary = fs::temp_directory_path(code);
+    return (code ? fs::path("/tmp") : temporary) / ("romascope-" + std::to_string(getuid()));
 }
 
 } // namespace romascope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
+#include <cstddef>
 #include <filesystem>
 #include <span>
 #include <string>
@@ -12,11 +12,12 @@ namespace romascope {
 std::string read_text_file(const std::filesystem::path& path);
 
 /// Writes all bytes or nothing: to a temporary file beside `path`, which is then renamed.
-/// Makes missing parent folders. Throws Error naming the path and the reason.
+/// Makes missing parent folders; a symbolic link to a file stays one. What is not a plain file
+/// (/dev/null, a pipe) is written to directly. Throws Error naming the path and the reason.
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
 
-/// `$XDG_CACHE_HOME/romascope`, or `~/.cache/romascope`; not created.
+/// `$XDG_CACHE_HOME/romascope` if that is absolute, or `~/.cache/romascope`; not created.
 /// Without a home directory: a folder of this user below the system's temporary directory.
 std::filesystem::path cache_directory();
 

@@ -2,13 +2,13 @@
 #include "renderer/base/nearest_name.h"
 
 #include <algorithm>
-#include <cctype>
 #include <limits>
 
 namespace romascope {
 namespace {
 
-char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned char>(c))); }
+/// ASCII only, whatever the locale.
+char lower(char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; }
 
 /// Optimal string alignment distance.
 size_t edit_distance(std::string_view a, std::string_view b) {
@@ -20,7 +20,8 @@ size_t edit_distance(std::string_view a, std::string_view b) {
     for (size_t i = 1; i <= a.size(); ++i) {
         for (size_t j = 1; j <= b.size(); ++j) {
             const bool same = lower(a[i - 1]) == lower(b[j - 1]);
-            d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same ? 0 : 1)});
+            d[i][j] =
+                std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, d[i - 1][j - 1] + (same ? 0 : 1)});
             if (i > 1 && j > 1 && lower(a[i - 1]) == lower(b[j - 2]) &&
                 lower(a[i - 2]) == lower(b[j - 1]))
                 d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
@@ -35,12 +36,13 @@ std::string nearest_name(std::string_view wanted, const std::vector<std::string>
     std::string best;
     size_t best_distance = std::numeric_limits<size_t>::max();
     for (const std::string& name : names) {
-        // A word of a dotted key counts like the whole key: "resolution" finds "roma.resolution".
+        // Doubled, so that a key's last word alone, "resolution" for "roma.resolution", counts like
+        // a whole name but loses to one at the same distance.
         const size_t dot = name.rfind('.');
         size_t distance = edit_distance(wanted, name) * 2;
         if (dot != std::string::npos)
-            distance = std::min(distance,
-                                edit_distance(wanted, std::string_view(name).substr(dot + 1)) * 2 + 1);
+            distance = std::min(
+                distance, edit_distance(wanted, std::string_view(name).substr(dot + 1)) * 2 + 1);
         if (distance < best_distance) {
             best_distance = distance;
             best = name;

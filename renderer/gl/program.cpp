@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/gl/program.h"
+
+#include "renderer/base/error.h"
+
+#include <fmt/format.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace romascope {
+namespace {
+
+std::string log_of(GLuint id, bool program) {
+    GLint length = 0;
+    if (program)
+        glGetProgramiv(id, GL_INFO_LOG_LENGTH, &length);
+    else
+        glGetShaderiv(id, GL_INFO_LOG_LENGTH, &length);
+    std::string log(static_cast<size_t>(std::max(length, 1)), '\0');
+    if (program)
+        glGetProgramInfoLog(id, length, nullptr, log.data());
+    else
+        glGetShaderInfoLog(id, length, nullptr, log.data());
+    log.resize(log.find('\0') == std::string::npos ? log.size() : log.find('\0'));
+    while (!log.empty() && (log.back() == '\n' || log.back() == ' '))
+        log.pop_back();
+    return log;
+}
+
+void delete_shader(GLuint id) { glDeleteShader(id); }
+
+using ShaderHandle = GlHandle<delete_shader>;
+
+ShaderHandle compile(const ShaderLibrary& library, const ShaderVariant& variant,
+                     const ShaderStage& stage) {
+    const ExpandedShader source = library.expand(variant, stage);
+    ShaderHandle shader(glCreateShader(stage.type));
+    const char* text = source.text.c_str();
+    glShaderSource(shader.id(), 1, &text, nullptr);
+    glCompileShader(shader.id());
+    GLint ok = 0;
+    glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
+    if (!ok)
+        throw Error(fmt::format("shader '{}' does not compile: {}", variant.name,
+                                name_files_in_log(log_of(shader.id(), false), source.files)));
+    return shader;
+}
+
+} // namespace
+
+Program::Program(const ShaderLibrary& library, const ShaderVariant& variant)
+    : handle_(glCreateProgram()) {
+    std::vector<ShaderHandle> shaders;
+    for (const ShaderStage& stage : variant.stages) {
+        shaders.push_back(compile(library, variant, stage));
+        glAttachShader(id(), shaders.back().id());
+    }
+    glLinkProgram(id());
+    GLint ok = 0;
+    glGetProgramiv(id(), GL_LINK_STATUS, &ok);
+    if (!ok)
+        throw Error(
+            fmt::format("shader '{}' does not link: {}", variant.name, log_of(id(), true)));
+    for (const ShaderHandle& shader : shaders)
+        glDetachShader(id(), shader.id());
+    glObjectLabel(GL_PROGRAM, id(), static_cast<GLsizei>(variant.name.size()),
+                  variant.name.data());
+}
+
+void Program::set(const char* name, int value) const {
+    glProgramUniform1i(id(), location(name), value);
+}
+void Program::set(const char* name, GLuint value) const {
+    glProgramUniform1ui(id(), location(name), value);
+}
+void Program::set(const char* name, float value) const {
+    glProgramUniform1f(id(), location(name), value);
+}
+void Program::set(const char* name, glm::vec2 value) const {
+    glProgramUniform2fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, glm::vec3 value) const {
+    glProgramUniform3fv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, glm::ivec2 value) const {
+    glProgramUniform2iv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, glm::ivec3 value) const {
+    glProgramUniform3iv(id(), location(name), 1, glm::value_ptr(value));
+}
+void Program::set(const char* name, const glm::mat4& value) const {
+    glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
+}
+
+const Program& ProgramSlot::get(const ShaderLibrary& library, const ShaderVariant& variant) {
+    if (variant_ != variant) {
+        program_ = Program(library, variant); // throws with the old program still in place
+        variant_ = variant;
+    }
+    return program_;
+}
+
+} // namespace romascope

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/settings/shader_defines.h"
+
+#include <glad/gl.h>
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace romascope {
+
+/// One stage of a program: a file below shaders/.
+struct ShaderStage {
+    GLenum type = 0; ///< GL_COMPUTE_SHADER, ...
+    std::string file;
+};
+
+/// Everything that decides what is compiled. Two equal variants are the same program.
+struct ShaderVariant {
+    std::string name; ///< for people
+    std::vector<ShaderStage> stages;
+    std::vector<ShaderDefine> defines;
+    /// Names in `#include "..."` that the host decides, e.g. "tracer.glsl" -> the chosen tracer.
+    std::map<std::string, std::string> includes;
+
+    bool operator==(const ShaderVariant&) const = default;
+};
+
+/// The text of one stage with its includes put in.
+struct ExpandedShader {
+    std::string text;
+    std::vector<std::string> files; ///< by the source string number that #line gives them
+};
+
+/// Where shaders are read from: the program itself, or a folder of the same layout.
+class ShaderLibrary {
+public:
+    ShaderLibrary() = default;
+    explicit ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
+
+    /// `#version`, the variant's defines, then the stage's file; each `#include "path"` (from the
+    /// shader root) is replaced by that file the first time it occurs. Throws Error that names file
+    /// and line for a file that does not exist.
+    ExpandedShader expand(const ShaderVariant& variant, const ShaderStage& stage) const;
+
+private:
+    std::string read(const std::string& file) const;
+    void append(const ShaderVariant& variant, const std::string& file, const std::string& from,
+                ExpandedShader& out) const;
+    std::filesystem::path folder_; ///< empty: embedded
+};
+
+/// Replaces source string numbers in a driver's log, "0:12(3)" or "0(12)", by "file:12".
+std::string name_files_in_log(const std::string& log, const std::vector<std::string>& files);
+
+} // namespace romascope

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/gl/debug.h"
+#include "renderer/gl/objects.h"
+
+#include <array>
+#include <chrono>
+#include <deque>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace romascope {
+
+/// How passes are timed.
+enum class TimerClock {
+    gpu_timestamps,  ///< 64-bit GL_TIMESTAMP queries, read when they are ready, never waited for
+    cpu_with_finish, ///< glFinish and a CPU clock: a software rasteriser's own timestamps mislead
+    none             ///< the driver has no timestamps
+};
+
+/// "gpu timestamps", "cpu clock with glFinish", "n/a".
+std::string_view name_of(TimerClock clock);
+
+/// Milliseconds of one pass over the frames that were timed.
+struct PassTiming {
+    std::string pass;
+    bool rasterises = false; ///< draws triangles, as against compute only
+    std::vector<double> milliseconds;
+
+    double median() const;
+    double percentile_95() const;
+};
+
+/// Times passes by being around them. Passes do not nest.
+class PassTimer {
+public:
+    /// Picks the clock for the current context.
+    PassTimer();
+    explicit PassTimer(TimerClock clock) : clock_(clock) {}
+
+    TimerClock clock() const { return clock_; }
+
+    /// A pass from construction to destruction: a debug group and a time.
+    class Scope {
+    public:
+        Scope(PassTimer& timer, const std::string& pass, bool rasterises);
+        ~Scope();
+        Scope(const Scope&) = delete;
+        Scope& operator=(const Scope&) = delete;
+
+    private:
+        PassTimer& timer_;
+        DebugGroup group_;
+        size_t pass_;
+        std::chrono::steady_clock::time_point begin_;
+        std::optional<std::array<GlHandle<delete_query>, 2>> queries_;
+    };
+    Scope compute(const std::string& pass) { return Scope(*this, pass, false); }
+    Scope raster(const std::string& pass) { return Scope(*this, pass, true); }
+
+    /// Takes in what queries are ready; called once a frame.
+    void collect() { collect(false); }
+    /// Waits for all queries; called once at the end.
+    void finish() { collect(true); }
+    /// Forgets what was measured, e.g. after warming up.
+    void clear();
+
+    /// In the order in which the passes first ran.
+    const std::vector<PassTiming>& timings() const { return timings_; }
+
+private:
+    struct Pending {
+        size_t pass;
+        std::array<GlHandle<delete_query>, 2> queries;
+    };
+    size_t index_of(const std::string& pass, bool rasterises);
+    GlHandle<delete_query> take_query();
+    void collect(bool wait);
+
+    TimerClock clock_;
+    std::vector<PassTiming> timings_;
+    std::deque<Pending> pending_; ///< the ring: as long as the GPU lags behind
+    std::vector<GlHandle<delete_query>> free_queries_;
+};
+
+} // namespace romascope

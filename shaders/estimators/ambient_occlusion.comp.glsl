@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: MIT
+// Ambient occlusion: the share of cosine-distributed rays from a surface point that meet nothing
+// within the radius (Zeng et al. 2023, equation 1). Background is 1.
+//
+// In:   the G-buffer; "tracer.glsl", chosen by the host
+// Out:  visibility, R32F, one value in [0, 1] per pixel and frame
+// Host: AO_RADIUS in metres, may be infinite; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; seed and frame
+#include "shaders/common/random.h"
+#include "shaders/common/surface.glsl"
+#include "tracer.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(r32f, binding = 0) writeonly uniform image2D visibility;
+uniform uint seed;
+uniform uint frame;
+
+#if SAMPLE_CANDIDATES
+/// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
+/// the side of the normal: unbiased for the set of candidates, and exactly 1 on an open plane.
+/// All rays of the pixel lie evenly over the summed weights; the van der Corput sequence moves them
+/// from frame to frame, so that successive frames fill the gaps.
+int free_rays(ivec2 pixel, Surface surface) {
+    float total = 0.0;
+    for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i)
+        total += abs(dot(surface.normal, tracer_candidate(i)));
+    float step = total / float(AO_RAYS);
+    float target = step * unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed, 0u)));
+    float sum = 0.0;
+    int free = 0;
+    int traced = 0;
+    for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i) {
+        float weight = dot(surface.normal, tracer_candidate(i));
+        sum += abs(weight);
+        int share = 0; // rays that fall to this candidate
+        while (traced < AO_RAYS && (target < sum || i == TRACER_CANDIDATE_COUNT - 1)) {
+            ++share;
+            ++traced;
+            target += step;
+        }
+        if (share > 0 && !tracer_candidate_any_hit(i, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
+            free += share;
+    }
+    return free;
+}
+#else
+/// Cosine-distributed unit direction about the normal (Malley: a uniform disc, lifted).
+vec3 cosine_direction(vec3 normal, vec2 u) {
+    float angle = 6.28318530718 * u.x;
+    float radius = sqrt(u.y);
+    vec3 helper = abs(normal.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
+    vec3 tangent = normalize(cross(helper, normal));
+    vec3 bitangent = cross(normal, tangent);
+    return normalize(radius * (cos(angle) * tangent + sin(angle) * bitangent) + sqrt(1.0 - u.y) * normal);
+}
+
+int free_rays(ivec2 pixel, Surface surface) {
+    uvec2 shift = uvec2(pixel_hash(uvec2(pixel), seed, 0u), pixel_hash(uvec2(pixel), seed, 1u));
+    int free = 0;
+    for (int i = 0; i < AO_RAYS; ++i) {
+        uvec2 u = r2_sequence(frame * uint(AO_RAYS) + uint(i), shift);
+        vec3 direction = cosine_direction(surface.normal, vec2(unit_float(u.x), unit_float(u.y)));
+        if (!tracer_any_hit(surface.position, surface.normal, direction, AO_RADIUS))
+            ++free;
+    }
+    return free;
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, picture_size)))
+        return;
+    Surface surface = surface_at(pixel);
+    float value = surface.background ? 1.0 : float(free_rays(pixel, surface)) / float(AO_RAYS);
+    imageStore(visibility, pixel, vec4(value));
+}

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: MIT
+// The picture to look at: lit by one sun and a sky, ambient occlusion multiplied in, or one of the
+// intermediate results.
+//
+// In:   the G-buffer, base colour, emission, visibility (R32F)
+// Out:  picture RGBA32F, linear
+// Host: VIEW and VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
+#include "shaders/common/surface.glsl"
+
+layout(local_size_x = 8, local_size_y = 8) in;
+layout(binding = 2) uniform sampler2D gbuffer_base_color;
+layout(binding = 3) uniform sampler2D gbuffer_emission;
+layout(binding = 4) uniform sampler2D visibility;
+layout(rgba32f, binding = 0) writeonly uniform image2D picture;
+uniform vec3 sun_direction;
+
+const vec3 kSunColor = vec3(1.0, 0.93, 0.8);
+const vec3 kZenithColor = vec3(0.36, 0.52, 0.82);
+const vec3 kHorizonColor = vec3(0.78, 0.84, 0.92);
+const vec3 kGroundColor = vec3(0.36, 0.33, 0.30);
+
+/// Radiance of the sky in a direction, y up.
+vec3 sky(vec3 direction) {
+    float up = direction.y;
+    vec3 above = mix(kHorizonColor, kZenithColor, sqrt(max(up, 0.0)));
+    return mix(above, kGroundColor, smoothstep(0.0, 0.1, -up));
+}
+
+/// What the sky gives to a surface that sees a hemisphere of it.
+vec3 sky_light(vec3 normal) {
+    return mix(kGroundColor, 0.5 * (kHorizonColor + kZenithColor), 0.5 + 0.5 * normal.y);
+}
+
+vec3 lit(ivec2 pixel, Surface surface) {
+    if (surface.background)
+        return LIT_SKY_STRENGTH * sky(normalize(view_ray(pixel)));
+    vec3 base = texelFetch(gbuffer_base_color, pixel, 0).rgb;
+    vec3 emission = texelFetch(gbuffer_emission, pixel, 0).rgb;
+    vec3 sun = LIT_SUN_STRENGTH * kSunColor * max(dot(surface.normal, sun_direction), 0.0);
+    vec3 light = sun + LIT_SKY_STRENGTH * sky_light(surface.normal);
+    return base * light * texelFetch(visibility, pixel, 0).x + emission;
+}
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, picture_size)))
+        return;
+    Surface surface = surface_at(pixel);
+#if VIEW == VIEW_LIT
+    vec3 color = lit(pixel, surface);
+#elif VIEW == VIEW_NORMAL
+    vec3 color = surface.background ? vec3(0.0) : surface.normal * 0.5 + 0.5;
+#elif VIEW == VIEW_BASE_COLOR
+    vec3 color = surface.background ? vec3(0.0) : texelFetch(gbuffer_base_color, pixel, 0).rgb;
+#endif
+    imageStore(picture, pixel, vec4(color, 1.0));
+}

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// What the camera sees: shading normal, base colour, emission; depth is the framebuffer's.
+//
+// Out: 0 R32UI octahedral normal that faces the camera; 1 sRGB8 base colour; 2 R11G11B10F emission
+struct Material {
+    vec4 base_color;
+    vec4 emissive;
+};
+layout(std430, binding = 0) readonly buffer Materials { Material materials[]; };
+in vec3 from_eye;
+in vec3 world_normal;
+flat in uint material_index;
+layout(location = 0) out uint out_normal;
+layout(location = 1) out vec4 out_base_color;
+layout(location = 2) out vec4 out_emission;
+#include "shaders/common/octahedral.glsl"
+
+void main() {
+    // The side that faces the viewer is the triangle's own; the shading normal follows it.
+    vec3 facing = cross(dFdx(from_eye), dFdy(from_eye));
+    if (dot(facing, from_eye) > 0.0)
+        facing = -facing;
+    float length_squared = dot(world_normal, world_normal);
+    vec3 n = length_squared > 0.0 ? world_normal * inversesqrt(length_squared) : normalize(facing);
+    out_normal = encode_direction(dot(n, facing) < 0.0 ? -n : n);
+    out_base_color = vec4(materials[material_index].base_color.rgb, 1.0);
+    out_emission = vec4(materials[material_index].emissive.rgb, 1.0);
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Vertices of the scene, in world space, to clip space.
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in uint material;
+uniform mat4 view_projection; ///< of points relative to `eye`, which keeps precision far from 0
+uniform vec3 eye;
+out vec3 from_eye;
+out vec3 world_normal;
+flat out uint material_index;
+
+void main() {
+    from_eye = position - eye;
+    world_normal = normal;
+    material_index = material;
+    gl_Position = view_projection * vec4(from_eye, 1.0);
+}

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: MIT
+// Marks the cell of the fragment as occupied (Zeng et al. 2023, section 6: three axes, joined).
+//
+// Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// Host: uniforms grid_size (cells), axis
+layout(r32ui, binding = 0) uniform uimage3D base_map;
+uniform ivec3 grid_size;
+uniform int axis;
+in float depth_in_cells;
+
+void main() {
+    ivec2 across = ivec2(gl_FragCoord.xy);
+    int depth = int(floor(depth_in_cells));
+    ivec3 cell = axis == 0 ? ivec3(depth, across) : axis == 1 ? ivec3(across.y, depth, across.x) : ivec3(across, depth);
+    cell = clamp(cell, ivec3(0), grid_size - 1); // interpolation may overshoot a steep triangle
+    imageAtomicOr(base_map, ivec3(cell.xy, cell.z >> 5), 1u << (cell.z & 31));
+}

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+// Ray-aligned occupancy maps by rotation (Zeng et al. 2023, Algorithms 1 and 2): what the generation
+// and the tracing compute, for the shaders and their CPU twin alike.
+//
+// An aligned map is a cube of side^3 cells around the scene, turned so that its third axis is a
+// candidate direction; the cells of a column along that axis are consecutive bits. "Aligned
+// coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k, k+1).
+#pragma once
+#include "shaders/common/bits.h"
+#include "shaders/common/cross.h"
+#ifdef __cplusplus
+namespace romascope::gpu {
+#endif
+
+/// Fraction bits of the fixed-point base map coordinates. 11 bits are left for cells and sign,
+/// enough for 256 cells times the square root of 3.
+const int kRomaFractionBits = 20;
+
+/// One aligned map. Laid out for std430.
+struct RomaDirection {
+    vec4 row_u; ///< aligned u = dot(row_u.xyz, point - centre) + row_u.w, per metre
+    vec4 row_v;
+    vec4 row_w; ///< along the candidate direction; xyz has the length 1 / cell size
+    ivec4 base_origin; ///< base map coordinates of the centre of aligned cell (0, 0, 0), fixed point
+    ivec4 base_step_u; ///< change of those from one aligned cell to the next
+    ivec4 base_step_v;
+    ivec4 base_step_w;
+};
+
+/// Fixed-point base map coordinates of the centre of an aligned cell.
+SHARED_FN ivec3 roma_base_position(RomaDirection map, ivec3 cell) {
+    return ivec3(map.base_origin) + ivec3(map.base_step_u) * cell.x +
+           ivec3(map.base_step_v) * cell.y + ivec3(map.base_step_w) * cell.z;
+}
+
+/// Aligned coordinates of a point given in metres from the centre of the cube.
+SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point) {
+    EXACT float u = map.row_u.x * point.x + map.row_u.y * point.y + map.row_u.z * point.z + map.row_u.w;
+    EXACT float v = map.row_v.x * point.x + map.row_v.y * point.y + map.row_v.z * point.z + map.row_v.w;
+    EXACT float w = map.row_w.x * point.x + map.row_w.y * point.y + map.row_w.z * point.z + map.row_w.w;
+    return vec3(u, v, w);
+}
+
+/// The cells a snapped ray passes: bits first..last of one column; none if first > last.
+struct RomaSpan {
+    ivec2 column;
+    int first;
+    int last;
+};
+
+/// `start`: aligned coordinates of the ray's origin, moved off the surface; it may lie outside.
+/// `surface`: third aligned coordinate of the surface point itself, from which `reach` counts.
+/// `reach`: how far the ray goes, in cells; infinity allowed. A cell counts if the ray enters it
+/// before its end. `forward`: along the candidate direction, else against it.
+SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forward, int side) {
+    RomaSpan span;
+    float limit = float(side);
+    // Clamped before they become integers, which infinities and far points could not.
+    int from = int(floor(clamp(start.z, -1.0f, limit)));
+    EXACT float end = forward ? surface + reach : surface - reach;
+    end = clamp(end, -1.0f, limit + 1.0f);
+    span.column = ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
+    span.first = max(forward ? from : int(floor(end)), 0);
+    span.last = min(forward ? int(ceil(end)) - 1 : from, side - 1);
+    bool outside = span.column.x < 0 || span.column.y < 0 || span.column.x >= side || span.column.y >= side;
+    if (outside)
+        span.last = span.first - 1;
+    return span;
+}
+
+/// Distance in cells from the surface to where the ray enters the cell, not below 0.
+SHARED_FN float roma_hit_distance(int cell, float surface, bool forward) {
+    EXACT float distance = forward ? float(cell) - surface : surface - float(cell + 1);
+    return max(distance, 0.0f);
+}
+
+#ifdef __cplusplus
+} // namespace romascope::gpu
+#endif
