@@ -24,18 +24,23 @@ struct Camera {
     /// World to camera space.
     glm::mat4 view() const;
 
-    /// Infinite far plane, reversed depth in [0, 1] (1 at `near_plane`), rows of the picture from
-    /// the top down: clip y points down.
-    /// `offset`: shift of the picture in pixels, for sub-pixel jitter.
+    /// Camera space to clip space for glClipControl(GL_LOWER_LEFT, GL_ZERO_TO_ONE). Infinite far
+    /// plane, reversed depth: near_plane / distance along `forward`, so 1 at `near_plane`, 0 at
+    /// infinity (clear to 0, test with GL_GREATER). Clip y points down, so row 0 of the
+    /// framebuffer is the top of the picture; this mirrors triangles: what is counter-clockwise in
+    /// the world comes out clockwise (glFrontFace(GL_CW)).
+    /// `offset`: pixel centre (x + 0.5, y + 0.5) shows what direction_through gives for
+    /// (x + 0.5, y + 0.5) + offset; for sub-pixel jitter.
     glm::mat4 projection(glm::ivec2 size, float near_plane, glm::vec2 offset = {}) const;
 };
 
 /// A camera at `eye` that looks at `target`, with y as up direction (z where the view is along y).
-/// Throws Error if the two coincide or are not finite.
+/// `vertical_fov` in radians. Throws Error (kBadInput) if the two coincide, if anything is not
+/// finite, or if the angle is not in (0, pi).
 Camera look_at(const std::string& name, glm::vec3 eye, glm::vec3 target, float vertical_fov);
 
 /// Parses "eye/target/fov", e.g. "1,2,3/0,0.5,0/60" (metres, metres, degrees in (0, 180)).
-/// Throws Error (kBadInput) that tells the form.
+/// The camera is named by the text. Throws Error (kBadInput) that tells the form.
 Camera parse_camera(const std::string& text);
 
 } // namespace romascope
