@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/base/nearest_name.h"
+
+#include <array>
+#include <atomic>
+#include <cstdlib>
+#include <fstream>
+#include <gtest/gtest.h>
+#include <optional>
+#include <random>
+#include <stdexcept>
+#include <string>
+#include <thread>
+#include <unistd.h>
+#include <vector>
+
+namespace romascope {
+namespace {
+namespace fs = std::filesystem;
+
+/// A fresh folder that goes away with the test.
+class Files : public testing::Test {
+protected:
+    Files() {
+        std::string pattern = (fs::temp_directory_path() / "romascope-test-XXXXXX").string();
+        if (!mkdtemp(pattern.data()))
+            throw std::runtime_error("no temporary folder");
+        folder_ = pattern;
+    }
+    ~Files() override {
+        std::error_code code;
+        fs::remove_all(folder_, code);
+    }
+    std::ptrdiff_t entries() const {
+        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+    }
+    fs::path folder_;
+};
+
+/// The error that `action` ends with; fails the test if there is none.
+template <class Action>
+Error error_of(Action action) {
+    try {
+        action();
+    } catch (const Error& error) {
+        return error;
+    }
+    ADD_FAILURE() << "no Error";
+    return Error("");
+}
+
+TEST_F(Files, AnyBytesComeBack) {
+    std::mt19937 random(7);
+    // Around the size of one block of the reader, too.
+    for (const size_t size : {0, 1, 100, (1 << 16) - 1, 1 << 16, (1 << 16) + 1, 300000}) {
+        std::string text(size, '\0');
+        for (char& c : text)
+            c = static_cast<char>(random());
+        write_file_atomically(folder_ / "a", text);
+        EXPECT_EQ(read_text_file(folder_ / "a"), text) << size;
+    }
+    EXPECT_EQ(entries(), 1);
+}
+
+TEST_F(Files, WritesSpansAndMakesParents) {
+    const std::array<std::byte, 3> bytes{std::byte{1}, std::byte{0}, std::byte{255}};
+    write_file_atomically(folder_ / "b/c/d.bin", bytes);
+    EXPECT_EQ(read_text_file(folder_ / "b/c/d.bin"), std::string("\x01\x00\xff", 3));
+}
+
+TEST_F(Files, ShorterContentReplacesLonger) {
+    write_file_atomically(folder_ / "a", "a long text");
+    write_file_atomically(folder_ / "a", "short");
+    EXPECT_EQ(read_text_file(folder_ / "a"), "short");
+}
+
+TEST_F(Files, ReadingWhatIsNotThere) {
+    const Error missing = error_of([&] { read_text_file(folder_ / "none.toml"); });
+    EXPECT_EQ(missing.exit_status(), kBadInput);
+    EXPECT_EQ(missing.what(),
+              "cannot read " + (folder_ / "none.toml").string() + ": No such file or directory");
+    const Error folder = error_of([&] { read_text_file(folder_); });
+    EXPECT_EQ(folder.exit_status(), kBadInput);
+    EXPECT_EQ(folder.what(), "cannot read " + folder_.string() + ": it is a folder");
+}
+
+TEST_F(Files, FailuresLeaveNothingBehind) {
+    write_file_atomically(folder_ / "file", "kept");
+    const Error below = error_of([&] { write_file_atomically(folder_ / "file/x", "text"); });
+    EXPECT_EQ(below.exit_status(), 1);
+    EXPECT_NE(std::string(below.what()).find((folder_ / "file/x").string()), std::string::npos);
+    EXPECT_NE(std::string(below.what()).find("Not a directory"), std::string::npos);
+    fs::create_directory(folder_ / "sub");
+    EXPECT_THROW(write_file_atomically(folder_ / "sub", "text"), Error);
+    EXPECT_THROW(write_file_atomically(folder_ / std::string(300, 'n'), "text"), Error);
+    EXPECT_EQ(read_text_file(folder_ / "file"), "kept");
+    EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(Files, LinksStayLinks) {
+    fs::create_directory(folder_ / "real");
+    write_file_atomically(folder_ / "real/file", "old");
+    fs::create_symlink("real/file", folder_ / "link");
+    write_file_atomically(folder_ / "link", "new");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "link"));
+    EXPECT_EQ(read_text_file(folder_ / "real/file"), "new");
+}
+
+TEST_F(Files, DevicesAreWrittenNotReplaced) {
+    // Through a link in our folder, so that a wrong rename would hit the link and not /dev.
+    fs::create_symlink("/dev/null", folder_ / "null");
+    fs::create_symlink("/dev/full", folder_ / "full");
+    write_file_atomically(folder_ / "null", "gone");
+    EXPECT_TRUE(fs::is_symlink(folder_ / "null"));
+    EXPECT_TRUE(fs::is_character_file("/dev/null"));
+    const Error full = error_of([&] { write_file_atomically(folder_ / "full", "too much"); });
+    EXPECT_EQ(full.what(),
+              "cannot write " + (folder_ / "full").string() + ": No space left on device");
+    EXPECT_EQ(entries(), 2);
+}
+
+TEST_F(Files, ReadersNeverSeeHalfOfAFile) {
+    const fs::path path = folder_ / "shared";
+    const auto content = [](int writer) {
+        return std::string(200000, static_cast<char>('a' + writer));
+    };
+    write_file_atomically(path, content(0));
+    std::atomic<int> running = 2;
+    std::vector<std::thread> writers;
+    for (int writer = 0; writer < 2; ++writer)
+        writers.emplace_back([&, writer] {
+            for (int i = 0; i < 50; ++i)
+                write_file_atomically(path, content(writer));
+            --running;
+        });
+    int reads = 0, halves = 0;
+    do {
+        const std::string text = read_text_file(path);
+        halves += text != content(0) && text != content(1);
+        ++reads;
+    } while (running > 0);
+    for (std::thread& writer : writers)
+        writer.join();
+    EXPECT_EQ(halves, 0) << "of " << reads;
+    EXPECT_EQ(entries(), 1);
+}
+
+/// An environment variable for the length of a scope; null: unset.
+class Environment {
+public:
+    Environment(const char* name, const char* value) : name_(name) {
+        if (const char* old = std::getenv(name))
+            old_ = old;
+        set(value);
+    }
+    ~Environment() { set(old_ ? old_->c_str() : nullptr); }
+
+private:
+    void set(const char* value) const { value ? setenv(name_, value, 1) : unsetenv(name_); }
+    const char* name_;
+    std::optional<std::string> old_;
+};
+
+TEST(CacheDirectory, FollowsTheXdgSpecification) {
+    const Environment home("HOME", "/home/someone");
+    {
+        const Environment cache("XDG_CACHE_HOME", "/var/cache/x");
+        EXPECT_EQ(cache_directory(), "/var/cache/x/romascope");
+    }
+    for (const char* none : {static_cast<const char*>(nullptr), "", "relative/path"}) {
+        const Environment cache("XDG_CACHE_HOME", none);
+        EXPECT_EQ(cache_directory(), "/home/someone/.cache/romascope");
+    }
+}
+
+TEST(CacheDirectory, WorksWithoutAHome) {
+    const Environment cache("XDG_CACHE_HOME", nullptr);
+    const Environment home("HOME", nullptr);
+    const std::string name = "romascope-" + std::to_string(getuid());
+    {
+        const Environment temporary("TMPDIR", nullptr);
+        EXPECT_EQ(cache_directory(), fs::path("/tmp") / name);
+    }
+    const Environment temporary("TMPDIR", "/there/is/no/such/folder");
+    EXPECT_EQ(cache_directory(), fs::path("/tmp") / name);
+}
+
+const std::vector<std::string> kNames = {"roma.angular_resolution", "occupancy.resolution",
+                                         "ao.radius", "ao.rays", "seed"};
+
+TEST(NearestName, FindsTypingMistakes) {
+    EXPECT_EQ(nearest_name("ao.radios", kNames), "ao.radius");
+    EXPECT_EQ(nearest_name("ao.ardius", kNames), "ao.radius");
+    EXPECT_EQ(nearest_name("AO.RAYS", kNames), "ao.rays");
+    EXPECT_EQ(nearest_name("sed", kNames), "seed");
+    EXPECT_EQ(nearest_name("roma.angularresolution", kNames), "roma.angular_resolution");
+}
+
+TEST(NearestName, TriesTheLastWordAlone) {
+    EXPECT_EQ(nearest_name("angular_resolution", kNames), "roma.angular_resolution");
+    EXPECT_EQ(nearest_name("resolution", kNames), "occupancy.resolution");
+    EXPECT_EQ(nearest_name("rays", {"ao.rays", "rays"}), "rays");
+}
+
+TEST(NearestName, SwappedNeighboursCountOnce) {
+    // "ba" is one swap from "ab" but two changes from "cd".
+    EXPECT_EQ(nearest_name("ba", {"cd", "ab"}), "ab");
+    EXPECT_EQ(nearest_name("abdc", {"abxx", "abcd"}), "abcd");
+}
+
+TEST(NearestName, Ends) {
+    EXPECT_EQ(nearest_name("x", {}), "");
+    EXPECT_EQ(nearest_name("", {"abc", "a", "b"}), "a"); // the first of equals
+    EXPECT_EQ(nearest_name("zzz", {"abc"}), "abc");
+}
+
+TEST(NearestName, EveryNameIsNearestToItselfAndToOneSlip) {
+    std::mt19937 random(11);
+    const auto below = [&](size_t n) {
+        return std::uniform_int_distribution<size_t>(0, n - 1)(random);
+    };
+    for (int i = 0; i < 2000; ++i) {
+        const std::string& name = kNames[below(kNames.size())];
+        EXPECT_EQ(nearest_name(name, kNames), name);
+        std::string slip = name;
+        const size_t at = below(slip.size());
+        switch (below(4)) {
+        case 0:
+            slip.erase(at, 1);
+            break;
+        case 1:
+            slip.insert(at, 1, 'q');
+            break;
+        case 2:
+            slip[at] = 'q';
+            break;
+        default:
+            std::swap(slip[at], slip[(at + 1) % slip.size()]);
+        }
+        if (slip.size() > 5) { // short words have real neighbours
+            EXPECT_EQ(nearest_name(slip, kNames), name) << slip;
+        }
+    }
+}
+
+} // namespace
+} // namespace romascope
