@@ -16,6 +16,8 @@ namespace romascope {
 struct ShaderStage {
     GLenum type = 0; ///< GL_COMPUTE_SHADER, ...
     std::string file;
+
+    bool operator==(const ShaderStage&) const = default;
 };
 
 /// Everything that decides what is compiled. Two equal variants are the same program.

@@ -4,7 +4,7 @@
 //
 // In:   the G-buffer, base colour, emission, visibility (R32F)
 // Out:  picture RGBA32F, linear
-// Host: VIEW and VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
+// Host: FRAME_VIEW and FRAME_VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
 #include "shaders/common/surface.glsl"
 
 layout(local_size_x = 8, local_size_y = 8) in;
@@ -46,11 +46,11 @@ void main() {
     if (any(greaterThanEqual(pixel, picture_size)))
         return;
     Surface surface = surface_at(pixel);
-#if VIEW == VIEW_LIT
+#if FRAME_VIEW == FRAME_VIEW_LIT
     vec3 color = lit(pixel, surface);
-#elif VIEW == VIEW_NORMAL
+#elif FRAME_VIEW == FRAME_VIEW_NORMAL
     vec3 color = surface.background ? vec3(0.0) : surface.normal * 0.5 + 0.5;
-#elif VIEW == VIEW_BASE_COLOR
+#elif FRAME_VIEW == FRAME_VIEW_BASE_COLOR
     vec3 color = surface.background ? vec3(0.0) : texelFetch(gbuffer_base_color, pixel, 0).rgb;
 #endif
     imageStore(picture, pixel, vec4(color, 1.0));

@@ -59,13 +59,42 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     int from = int(floor(clamp(start.z, -1.0f, limit)));
     EXACT float end = forward ? surface + reach : surface - reach;
     end = clamp(end, -1.0f, limit + 1.0f);
-    span.column = ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
+    span.column = ivec2(int(floor(clamp(start.x, -1.0f, limit))),
+                        int(floor(clamp(start.y, -1.0f, limit))));
     span.first = max(forward ? from : int(floor(end)), 0);
     span.last = min(forward ? int(ceil(end)) - 1 : from, side - 1);
-    bool outside = span.column.x < 0 || span.column.y < 0 || span.column.x >= side || span.column.y >= side;
+    bool outside = span.column.x < 0 || span.column.y < 0 || span.column.x >= side ||
+                   span.column.y >= side;
     if (outside)
         span.last = span.first - 1;
     return span;
+}
+
+/// A snapped ray in one aligned map.
+struct RomaRay {
+    RomaSpan span;
+    float surface; ///< third aligned coordinate of the surface point
+    bool forward;
+};
+
+/// `point`: the surface point in metres from the centre of the cube; `normal`: unit; the ray starts
+/// `offset` metres along it. `t_max`: metres from the surface point, infinity allowed.
+SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 normal, float offset,
+                           float t_max, float cells_per_metre, int side) {
+    EXACT vec3 moved = point + normal * offset;
+    EXACT float reach = t_max * cells_per_metre;
+    RomaRay ray;
+    ray.surface = roma_aligned(map, point).z;
+    ray.forward = forward;
+    ray.span = roma_span(roma_aligned(map, moved), ray.surface, reach, forward, side);
+    return ray;
+}
+
+/// Whether a direction points to the candidate's side, rather than to its opposite's.
+SHARED_FN bool roma_is_forward(vec3 direction, vec3 candidate) {
+    EXACT float cosine =
+        direction.x * candidate.x + direction.y * candidate.y + direction.z * candidate.z;
+    return cosine >= 0.0f;
 }
 
 /// Distance in cells from the surface to where the ray enters the cell, not below 0.

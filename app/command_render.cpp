@@ -1,0 +1,205 @@
+// SPDX-License-Identifier: MIT
+#include "app/commands.h"
+#include "app/common_options.h"
+#include "app/report.h"
+#include "app/scene_files.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/frame/pipeline.h"
+#include "renderer/image/image_io.h"
+#include "renderer/metrics/compare.h"
+#include "renderer/reference/ao_reference.h"
+#include "renderer/scene/gltf_import.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <unistd.h>
+
+#include <charconv>
+#include <filesystem>
+#include <memory>
+
+namespace romascope {
+namespace {
+
+namespace fs = std::filesystem;
+
+struct RenderOptions {
+    std::string scene = kDefaultScene;
+    fs::path output, report, reference_output, error_map, shaders;
+    std::string technique, camera, size;
+    std::vector<std::string> assignments;
+    std::vector<fs::path> configs;
+    std::optional<int> frames;
+    std::optional<int64_t> seed;
+    std::optional<int> reference_samples;
+    bool print_config = false;
+    bool table = false;
+    bool no_cache = false;
+    BackendOptions backend;
+};
+
+void set_size(Settings& settings, const std::string& text) {
+    int width = 0, height = 0;
+    const char* end = text.data() + text.size();
+    const auto first = std::from_chars(text.data(), end, width);
+    const bool has_x = first.ec == std::errc() && first.ptr != end && *first.ptr == 'x';
+    const auto second = has_x ? std::from_chars(first.ptr + 1, end, height) : first;
+    if (!has_x || second.ec != std::errc() || second.ptr != end)
+        throw Error(fmt::format("--size '{}' is not of the form WIDTHxHEIGHT, like 1280x720", text),
+                    kBadInput);
+    settings.set(kWidth, width);
+    settings.set(kHeight, height);
+}
+
+/// Defaults, then the technique, then the files in their order, then the command line.
+Settings effective_settings(const RenderOptions& options) {
+    Settings settings(all_knobs());
+    if (!options.technique.empty())
+        apply_technique(settings, options.technique);
+    for (const fs::path& config : options.configs)
+        settings.load_toml(config);
+    if (!options.camera.empty())
+        settings.set(kCamera, options.camera);
+    if (!options.size.empty())
+        set_size(settings, options.size);
+    if (options.frames)
+        settings.set(kFrames, *options.frames);
+    if (options.seed)
+        settings.set(kSeed, *options.seed);
+    for (const std::string& assignment : options.assignments)
+        settings.set_assignment(assignment);
+    return settings;
+}
+
+/// What can be refused before any work is done.
+void check_outputs(const RenderOptions& options, const Settings& settings) {
+    if (options.output.empty() && options.report.empty() && !options.table)
+        throw Error("nothing to do: give -o FILE, --report FILE or --table", kBadInput);
+    for (const fs::path& picture : {options.output, options.reference_output, options.error_map})
+        if (!picture.empty())
+            check_image_extension(picture);
+    const bool wants_reference = !options.reference_output.empty() || !options.error_map.empty();
+    if (wants_reference && !options.reference_samples)
+        throw Error("--reference-output and --error-map need --reference N", kBadInput);
+    if (options.reference_samples && *options.reference_samples < 1)
+        throw Error("--reference needs at least 1 sample per pixel", kBadInput);
+    if (options.reference_samples && settings.get(kView) != PictureKind::ambient_occlusion)
+        throw Error("--reference is ambient occlusion: it needs frame.view=ambient_occlusion",
+                    kBadInput);
+}
+
+void show_progress(double fraction) {
+    fmt::print(stderr, "\rreference {:3.0f} %{}", 100.0 * fraction, fraction >= 1.0 ? "\n" : "");
+    std::fflush(stderr);
+}
+
+AoReference compute_reference(const Scene& scene, const Camera& camera, const Settings& settings,
+                              const RenderOptions& options) {
+    AoQuery query;
+    query.camera = camera;
+    query.size = {settings.get(kWidth), settings.get(kHeight)};
+    query.samples = *options.reference_samples;
+    query.radius = static_cast<float>(settings.get(kAoRadius));
+    query.pixel_jitter = settings.get(kAntialias);
+    // The truth does not follow the seed of what it judges.
+    return ambient_occlusion_reference(scene, query,
+                                       isatty(STDERR_FILENO) ? show_progress
+                                                             : std::function<void(double)>{},
+                                       {.use_cache = !options.no_cache});
+}
+
+ReportErrors judge(const AoReference& truth, const Image& picture, int samples) {
+    ReportErrors errors{samples, truth.seconds, truth.from_cache};
+    errors.flip = metric_value(Metric::flip, truth.visibility, picture);
+    errors.rmse = metric_value(Metric::rmse, truth.visibility, picture);
+    errors.mae = metric_value(Metric::mae, truth.visibility, picture);
+    errors.bias = metric_value(Metric::bias, truth.visibility, picture);
+    return errors;
+}
+
+int render(const RenderOptions& options) {
+    const Settings settings = effective_settings(options);
+    if (options.print_config) {
+        fmt::print("{}", settings.to_toml());
+        return 0;
+    }
+    check_outputs(options, settings);
+    const fs::path file = find_scene(options.scene);
+    const Scene scene = load_gltf(file);
+    const Camera camera = chosen_camera(scene, settings);
+
+    const std::unique_ptr<Context> context = options.backend.make_context();
+    std::optional<DebugLog> log;
+    if (options.backend.debug)
+        log.emplace();
+    Pipeline pipeline(scene, options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
+    for (int frame = 0; frame < settings.get(kFrames); ++frame)
+        pipeline.render(settings, camera);
+    pipeline.timer().finish();
+    const Image picture = pipeline.picture();
+    check_gl_error("reading the picture");
+    if (log && !log->messages().empty())
+        throw Error(log->messages().front());
+
+    ReportFacts facts{options.technique, file.string(), &scene, &settings, camera};
+    facts.backend = context->description();
+    facts.driver = query_driver();
+    facts.clock = pipeline.timer().clock();
+    facts.timings = pipeline.timer().timings();
+    facts.bytes = pipeline.bytes();
+    if (options.reference_samples) {
+        const AoReference truth = compute_reference(scene, camera, settings, options);
+        facts.errors = judge(truth, picture, *options.reference_samples);
+        if (!options.reference_output.empty())
+            write_image(options.reference_output, truth.visibility);
+        if (!options.error_map.empty())
+            write_image(options.error_map,
+                        metric_picture(Metric::flip, truth.visibility, picture).picture);
+    }
+    if (!options.output.empty())
+        write_image(options.output, picture);
+    if (!options.report.empty())
+        write_file_atomically(options.report, report_json(facts));
+    if (options.table)
+        fmt::print("{}", report_table(facts));
+    return 0;
+}
+
+} // namespace
+
+Command add_render_command(CLI::App& app) {
+    auto options = std::make_shared<RenderOptions>();
+    CLI::App* command = app.add_subcommand("render", "Render a scene to a file, without a window");
+    command->add_option("scene", options->scene, "a .gltf or .glb file, or a built-in scene by name")
+        ->capture_default_str();
+    command->add_option("-o,--output", options->output,
+                        "picture: .png (sRGB) or .hdr (linear floats)");
+    command->add_option("--technique", options->technique,
+                        "methods and values by name, see 'romascope info --techniques'");
+    command->add_option("--config", options->configs, "TOML file of settings; may be repeated");
+    command->add_option("--set", options->assignments,
+                        "key=value, see 'romascope info --knobs'; may be repeated");
+    command->add_option("--camera", options->camera,
+                        "a camera of the scene, or eye/target/fov like 1,2,3/0,0,0/60");
+    command->add_option("--size", options->size, "WIDTHxHEIGHT in pixels");
+    command->add_option("--frames", options->frames, "frames to accumulate");
+    command->add_option("--seed", options->seed, "of every random choice");
+    command->add_option("--report", options->report, "JSON of settings, times, bytes and errors");
+    command->add_flag("--table", options->table, "print times, bytes and errors");
+    command->add_option("--reference", options->reference_samples,
+                        "judge against ground truth with so many samples per pixel");
+    command->add_option("--reference-output", options->reference_output, "picture of the truth");
+    command->add_option("--error-map", options->error_map, "picture of FLIP against the truth");
+    command->add_flag("--no-cache", options->no_cache, "compute the reference anew");
+    command->add_flag("--print-config", options->print_config,
+                      "print the settings in effect as TOML and stop");
+    command->add_option("--shaders", options->shaders,
+                        "read shaders from this folder instead of the program")
+        ->check(CLI::ExistingDirectory);
+    options->backend.add_to(*command);
+    return [options] { return render(*options); };
+}
+
+} // namespace romascope

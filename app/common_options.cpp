@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#include "app/common_options.h"
+
+#include "renderer/base/error.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace romascope {
+
+void BackendOptions::add_to(CLI::App& command) {
+    command.add_option("--backend", backend, "auto, window, egl or osmesa")
+        ->capture_default_str();
+    command.add_option("--egl-device", egl_device,
+                       "EGL device by the number that 'romascope info' lists");
+    command.add_flag("--gl-debug", debug, "ask for a debug context; its messages are errors");
+    command.add_flag("--verbose", verbose, "tell which backend was taken, and why");
+}
+
+std::unique_ptr<Context> BackendOptions::make_context() const {
+    ContextRequest request;
+    request.backend = backend_from_name(backend);
+    if (egl_device >= 0)
+        request.egl_device = egl_device;
+    request.debug = debug;
+    std::string story;
+    std::unique_ptr<Context> context = create_context(request, &story);
+    if (verbose)
+        fmt::print(stderr, "romascope: {}\n", story);
+    return context;
+}
+
+} // namespace romascope

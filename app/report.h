@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// The report of a render: what was done, what it cost, how far off it is. The schema is documented
+// in docs/user/report.md; kReportSchema changes with it.
+#pragma once
+
+#include "renderer/gl/capabilities.h"
+#include "renderer/gl/timer.h"
+#include "renderer/passes/frame_context.h"
+#include "renderer/scene/scene.h"
+#include "renderer/settings/settings.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace romascope {
+
+inline constexpr const char* kReportSchema = "romascope-report/1";
+
+/// Errors against the reference.
+struct ReportErrors {
+    int samples = 0; ///< of the reference, per pixel
+    double reference_seconds = 0;
+    bool reference_from_cache = false;
+    double flip = 0, rmse = 0, mae = 0, bias = 0;
+};
+
+/// Everything a report holds, gathered while rendering.
+struct ReportFacts {
+    std::string technique; ///< empty if none was named
+    std::string scene_file;
+    const Scene* scene = nullptr;
+    const Settings* settings = nullptr;
+    Camera camera;
+    std::string backend; ///< how the context came to be
+    DriverFacts driver;
+    TimerClock clock = TimerClock::none;
+    std::vector<PassTiming> timings;
+    std::vector<StructureBytes> bytes;
+    std::optional<ReportErrors> errors;
+};
+
+/// Pretty-printed JSON, keys in a fixed order.
+std::string report_json(const ReportFacts& facts);
+
+/// The same for people: a table of passes, structures and errors.
+std::string report_table(const ReportFacts& facts);
+
+} // namespace romascope

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "app/scene_files.h"
+
+#include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace romascope {
+namespace fs = std::filesystem;
+namespace {
+
+fs::path asset_folder() {
+    std::vector<fs::path> places;
+    if (const char* chosen = std::getenv("ROMASCOPE_ASSETS"); chosen && *chosen)
+        places.emplace_back(chosen);
+    std::error_code code;
+    const fs::path program = fs::read_symlink("/proc/self/exe", code);
+    if (!code) {
+        places.push_back(program.parent_path() / "assets");
+        places.push_back(program.parent_path() / "../share/romascope/assets");
+    }
+    places.emplace_back(ROMASCOPE_ASSET_DIR);
+    for (const fs::path& place : places)
+        if (fs::is_directory(place, code))
+            return place;
+    return {};
+}
+
+} // namespace
+
+std::vector<BuiltInScene> built_in_scenes() {
+    std::vector<BuiltInScene> scenes;
+    std::error_code code;
+    for (const auto& entry : fs::directory_iterator(asset_folder(), code))
+        if (entry.path().extension() == ".glb")
+            scenes.push_back({entry.path().stem().string(), entry.path()});
+    std::sort(scenes.begin(), scenes.end(),
+              [](const BuiltInScene& a, const BuiltInScene& b) { return a.name < b.name; });
+    return scenes;
+}
+
+fs::path find_scene(const std::string& file_or_name) {
+    std::error_code code;
+    if (fs::exists(file_or_name, code))
+        return file_or_name;
+    std::vector<std::string> names;
+    for (const BuiltInScene& scene : built_in_scenes()) {
+        if (scene.name == file_or_name)
+            return scene.file;
+        names.push_back(scene.name);
+    }
+    // What looks like a path is one that does not exist; a bare word may be a name misspelt.
+    const fs::path path(file_or_name);
+    if (path.has_extension() || path.has_parent_path() || names.empty())
+        throw Error(fmt::format("there is no scene file '{}'", file_or_name), kBadInput);
+    throw Error(fmt::format("there is no scene '{}': did you mean '{}'? (built in: {}; or give a "
+                            ".gltf or .glb file)",
+                            file_or_name, nearest_name(file_or_name, names),
+                            fmt::join(names, ", ")),
+                kBadInput);
+}
+
+} // namespace romascope

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
+
+namespace romascope {
+
+std::vector<const KnobBase*> ambient_occlusion_knobs() { return {&kAoRadius, &kAoRays}; }
+
+ShaderVariant AmbientOcclusion::variant(const Settings& settings, const Tracer& tracer) {
+    std::vector<ShaderDefine> defines = tracer.shader_defines(settings);
+    for (ShaderDefine& define : shader_defines(settings, {&kAoRadius, &kAoRays}))
+        defines.push_back(std::move(define));
+    defines.push_back({"SAMPLE_CANDIDATES", tracer.sample_candidates(settings) ? "1" : "0"});
+    return {"ambient occlusion",
+            {{GL_COMPUTE_SHADER, "estimators/ambient_occlusion.comp.glsl"}},
+            defines,
+            {{"tracer.glsl", tracer.shader_file()}}};
+}
+
+void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
+                           const Tracer& tracer) {
+    const glm::ivec3 extent(view.size, 1);
+    if (visibility_.size() != extent)
+        visibility_ = Texture("visibility", GL_TEXTURE_2D, GL_R32F, extent);
+    const Program& program = program_.get(frame.shaders, variant(frame.settings, tracer));
+
+    auto pass = frame.timer.compute("ambient occlusion");
+    program.use();
+    view.set_uniforms(program);
+    program.set("seed", frame.seed);
+    program.set("frame", frame.frame);
+    gbuffer.bind_surface();
+    tracer.bind();
+    visibility_.bind_image(0, GL_WRITE_ONLY);
+    dispatch_covering(extent, {8, 8, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+} // namespace romascope

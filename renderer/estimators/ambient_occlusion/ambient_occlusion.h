@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/passes/gbuffer.h"
+#include "renderer/tracers/tracer.h"
+
+#include <limits>
+
+namespace romascope {
+
+inline const Knob<double> kAoRadius{
+    {.key = "ao.radius",
+     .unit = "m",
+     .help = "How far a surface may be to occlude; inf: any distance.",
+     .source = "Zeng et al. 2023, section 5"},
+    std::numeric_limits<double>::infinity(),
+    1e-4,
+    std::numeric_limits<double>::infinity()};
+inline const Knob<int> kAoRays{{.key = "ao.rays",
+                                .unit = "per pixel and frame",
+                                .help = "Rays that ambient occlusion draws.",
+                                .source = "Zeng et al. 2023, section 7"},
+                               1, 1, 64};
+
+std::vector<const KnobBase*> ambient_occlusion_knobs();
+
+/// The share of cosine-distributed rays that meet nothing within the radius (Zeng et al. 2023,
+/// equation 1), for one frame; with any tracer.
+class AmbientOcclusion {
+public:
+    void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
+             const Tracer& tracer);
+    const Texture& visibility() const { return visibility_; } ///< R32F
+    StructureBytes bytes() const { return {"visibility", visibility_.bytes()}; }
+
+    static ShaderVariant variant(const Settings& settings, const Tracer& tracer);
+
+private:
+    ProgramSlot program_;
+    Texture visibility_;
+};
+
+} // namespace romascope

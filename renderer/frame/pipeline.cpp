@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/pipeline.h"
+
+#include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
+#include "shaders/common/random.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace romascope {
+namespace {
+
+/// Below anything a camera is put close to; the far plane is infinite, so nothing is lost by it.
+constexpr float kNearPlanePerDiagonal = 1e-5f;
+
+/// Sub-pixel shift of a frame in [-0.5, 0.5)^2 pixels.
+glm::vec2 picture_offset(const Settings& settings, uint32_t frame) {
+    if (!settings.get(kAntialias))
+        return glm::vec2(0.0f);
+    const glm::uvec2 place = gpu::r2_sequence(frame, glm::uvec2(0x80000000u));
+    return glm::vec2(gpu::unit_float(place.x), gpu::unit_float(place.y)) - 0.5f;
+}
+
+bool same_camera(const Camera& a, const Camera& b) {
+    return a.eye == b.eye && a.forward == b.forward && a.up == b.up &&
+           a.vertical_fov == b.vertical_fov;
+}
+
+} // namespace
+
+std::unique_ptr<Tracer> make_tracer(const std::string& name) {
+    std::vector<std::string> names;
+    for (const TracerEntry& entry : tracers()) {
+        if (entry.name == name)
+            return entry.make();
+        names.emplace_back(entry.name);
+    }
+    throw Error(fmt::format("technique.tracer: unknown tracer '{}': did you mean '{}'?", name,
+                            nearest_name(name, names)),
+                kBadInput);
+}
+
+Camera chosen_camera(const Scene& scene, const Settings& settings) {
+    const std::string text = settings.get(kCamera);
+    if (text.empty())
+        return scene.cameras.front();
+    return text.find('/') == std::string::npos ? scene.camera(text) : parse_camera(text);
+}
+
+Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
+    : shaders_(std::move(shaders)), scene_(scene) {}
+
+void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {
+    if (last_settings_ != settings || !same_camera(last_camera_, camera))
+        mean_.reset();
+    last_settings_ = settings;
+    last_camera_ = camera;
+    const std::string name = settings.get(kTracer);
+    if (tracer_name_ != name) {
+        tracer_ = make_tracer(name);
+        tracer_name_ = name;
+    }
+}
+
+void Pipeline::render(const Settings& settings, const Camera& camera) {
+    restart_on_change(settings, camera);
+    const FrameContext frame{settings,
+                             shaders_,
+                             scene_,
+                             timer_,
+                             static_cast<uint32_t>(settings.get(kSeed)),
+                             mean_.count()};
+    View view;
+    view.camera = camera;
+    view.size = {settings.get(kWidth), settings.get(kHeight)};
+    view.near_plane =
+        std::max(glm::length(scene_.bounds().extent()) * kNearPlanePerDiagonal, 1e-12f);
+    view.offset = picture_offset(settings, frame.frame);
+
+    gbuffer_.draw(frame, view);
+    tracer_->build(frame);
+    ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
+    composed_ = settings.get(kView) != PictureKind::ambient_occlusion;
+    if (composed_)
+        compose_.run(frame, view, gbuffer_, ambient_occlusion_.visibility());
+    mean_.add(frame, composed_ ? compose_.picture() : ambient_occlusion_.visibility());
+    timer_.collect();
+    check_gl_error("the frame");
+}
+
+Image Pipeline::picture() const {
+    const glm::ivec3 size = mean_.mean().size();
+    Image image(size.x, size.y, composed_ ? 3 : 1);
+    image.data = mean_.mean().download_float(image.channels);
+    return image;
+}
+
+std::vector<StructureBytes> Pipeline::bytes() const {
+    std::vector<StructureBytes> all = {{"scene", scene_.bytes()}, gbuffer_.bytes()};
+    if (tracer_)
+        for (const StructureBytes& structure : tracer_->bytes())
+            all.push_back(structure);
+    all.push_back(ambient_occlusion_.bytes());
+    if (composed_)
+        all.push_back(compose_.bytes());
+    all.push_back(mean_.bytes());
+    return all;
+}
+
+} // namespace romascope

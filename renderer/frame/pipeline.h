@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
+#include "renderer/frame/technique.h"
+#include "renderer/image/image.h"
+#include "renderer/passes/compose.h"
+#include "renderer/reuse/running_mean.h"
+
+namespace romascope {
+
+/// Renders frames of a scene: what is shown in a window and what goes to a file is this.
+class Pipeline {
+public:
+    /// Needs a current context. `shaders`: where programs come from.
+    Pipeline(const Scene& scene, ShaderLibrary shaders);
+
+    /// One frame, added to the mean of the frames before it. The frame's number in the random
+    /// sequences is `frame_count()`. A change of settings or camera starts the mean anew.
+    void render(const Settings& settings, const Camera& camera);
+    uint32_t frame_count() const { return mean_.count(); }
+
+    /// The mean as it stands: 1 channel for ambient occlusion, 3 for other views; linear.
+    Image picture() const;
+
+    PassTimer& timer() { return timer_; }
+    std::vector<StructureBytes> bytes() const;
+
+private:
+    void restart_on_change(const Settings& settings, const Camera& camera);
+
+    ShaderLibrary shaders_;
+    GpuScene scene_;
+    PassTimer timer_;
+    GBuffer gbuffer_;
+    std::string tracer_name_;
+    std::unique_ptr<Tracer> tracer_;
+    AmbientOcclusion ambient_occlusion_;
+    Compose compose_;
+    RunningMean mean_;
+    std::optional<Settings> last_settings_;
+    Camera last_camera_;
+    bool composed_ = false;
+};
+
+/// The camera that the settings name: of the scene, or spelled out.
+/// Throws Error (kBadInput) for a name the scene does not have.
+Camera chosen_camera(const Scene& scene, const Settings& settings);
+
+/// A new tracer by its name. Throws Error (kBadInput) with the nearest name.
+std::unique_ptr<Tracer> make_tracer(const std::string& name);
+
+} // namespace romascope

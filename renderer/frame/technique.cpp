@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/technique.h"
+
+#include "renderer/base/embedded_text.h"
+#include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
+#include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
+#include "renderer/passes/compose.h"
+#include "renderer/tracers/tracer.h"
+
+#include <fmt/format.h>
+
+namespace romascope {
+namespace {
+
+constexpr std::string_view kExtension = ".toml";
+
+std::string first_comment(std::string_view text) {
+    const std::string_view line = text.substr(0, text.find('\n'));
+    const size_t begin = line.find_first_not_of("# ");
+    return begin == std::string_view::npos ? std::string{} : std::string(line.substr(begin));
+}
+
+} // namespace
+
+const KnobTable& all_knobs() {
+    static const KnobTable table = [] {
+        std::vector<const KnobBase*> knobs = {&kWidth,  &kHeight, &kFrames,   &kSeed,
+                                              &kCamera, &kTracer, &kAntialias};
+        for (const auto& more : {compose_knobs(), ambient_occlusion_knobs(), tracer_knobs()})
+            knobs.insert(knobs.end(), more.begin(), more.end());
+        return KnobTable(knobs);
+    }();
+    return table;
+}
+
+const std::vector<Technique>& techniques() {
+    static const std::vector<Technique> list = [] {
+        std::vector<Technique> found;
+        for (const auto& [file, text] : embedded_config())
+            found.push_back({std::string(file.substr(0, file.size() - kExtension.size())),
+                             first_comment(text)});
+        return found;
+    }();
+    return list;
+}
+
+void apply_technique(Settings& settings, const std::string& name) {
+    const auto found = embedded_config().find(name + std::string(kExtension));
+    if (found == embedded_config().end()) {
+        std::vector<std::string> names;
+        for (const Technique& technique : techniques())
+            names.push_back(technique.name);
+        throw Error(fmt::format("unknown technique '{}': did you mean '{}'? (there are {})", name,
+                                nearest_name(name, names), fmt::join(names, ", ")),
+                    kBadInput);
+    }
+    settings.load_toml_text(found->second, fmt::format("config/{}", found->first));
+}
+
+} // namespace romascope

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/frame/variants.h"
+
+#include "renderer/frame/pipeline.h"
+#include "renderer/tracers/occupancy/occupancy_map.h"
+
+#include <algorithm>
+
+namespace romascope {
+namespace {
+
+/// Each choice of each knob in turn, every switch both ways, and every layout of aligned maps, from
+/// the defaults.
+std::vector<Settings> settings_to_try() {
+    std::vector<Settings> all = {Settings(all_knobs())};
+    for (const KnobBase* knob : all_knobs().all()) {
+        Settings settings(all_knobs());
+        for (const std::string_view choice : knob->choices()) {
+            settings.set_value(*knob, std::string(choice));
+            all.push_back(settings);
+        }
+        if (knob->kind() == KnobKind::boolean) {
+            settings.set_value(*knob, !std::get<bool>(knob->default_value()));
+            all.push_back(settings);
+        }
+        if (knob->kind() == KnobKind::integer || knob->kind() == KnobKind::real) {
+            for (const double end : {knob->minimum(), knob->maximum()}) {
+                settings.set_text(knob->key(), knob->kind() == KnobKind::integer
+                                                   ? to_text(static_cast<int64_t>(end))
+                                                   : to_text(end));
+                all.push_back(settings);
+            }
+        }
+    }
+    Settings settings(all_knobs());
+    for (const int resolution : {33, 64, 65, 100, 129}) {
+        settings.set(kOccupancyResolution, resolution);
+        all.push_back(settings);
+    }
+    return all;
+}
+
+} // namespace
+
+std::vector<ShaderVariant> all_shader_variants() {
+    std::vector<ShaderVariant> all;
+    const auto add = [&](const ShaderVariant& variant) {
+        if (std::find(all.begin(), all.end(), variant) == all.end())
+            all.push_back(variant);
+    };
+    add(GBuffer::variant());
+    add(RunningMean::variant(GL_R32F));
+    add(RunningMean::variant(GL_RGBA32F));
+    for (const Settings& settings : settings_to_try()) {
+        if (settings.get(kView) != PictureKind::ambient_occlusion)
+            add(Compose::variant(settings));
+        for (const TracerEntry& entry : tracers()) {
+            const std::unique_ptr<Tracer> tracer = entry.make();
+            add(AmbientOcclusion::variant(settings, *tracer));
+            for (const ShaderVariant& variant : tracer->build_variants(settings))
+                add(variant);
+        }
+    }
+    return all;
+}
+
+} // namespace romascope

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/passes/compose.h"
+
+#include <cmath>
+
+namespace romascope {
+
+ShaderVariant Compose::variant(const Settings& settings) {
+    return {"compose",
+            {{GL_COMPUTE_SHADER, "passes/compose.comp.glsl"}},
+            shader_defines(settings, {&kView, &kSunStrength, &kSkyStrength}),
+            {}};
+}
+
+void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
+                  const Texture& visibility) {
+    const glm::ivec3 extent(view.size, 1);
+    if (picture_.size() != extent)
+        picture_ = Texture("picture", GL_TEXTURE_2D, GL_RGBA32F, extent);
+    const Program& program = program_.get(frame.shaders, variant(frame.settings));
+    const auto azimuth = static_cast<float>(glm::radians(frame.settings.get(kSunAzimuth)));
+    const auto elevation = static_cast<float>(glm::radians(frame.settings.get(kSunElevation)));
+
+    auto pass = frame.timer.compute("compose");
+    program.use();
+    view.set_uniforms(program);
+    program.set("sun_direction",
+                glm::vec3(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
+                          std::cos(elevation) * std::sin(azimuth)));
+    gbuffer.bind_surface();
+    gbuffer.base_color().bind(2);
+    gbuffer.emission().bind(3);
+    visibility.bind(4);
+    picture_.bind_image(0, GL_WRITE_ONLY);
+    dispatch_covering(extent, {8, 8, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+} // namespace romascope

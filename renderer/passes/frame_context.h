@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/gl/shader_source.h"
+#include "renderer/gl/timer.h"
+#include "renderer/scene/gpu_scene.h"
+#include "renderer/settings/settings.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace romascope {
+
+/// What every pass of a frame may know.
+struct FrameContext {
+    const Settings& settings;
+    const ShaderLibrary& shaders;
+    const GpuScene& scene;
+    PassTimer& timer;
+    uint32_t seed = 0;
+    uint32_t frame = 0; ///< counts from 0
+};
+
+/// Bytes that a structure holds on the GPU.
+struct StructureBytes {
+    std::string name;
+    size_t bytes = 0;
+};
+
+} // namespace romascope

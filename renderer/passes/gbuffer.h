@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/passes/frame_context.h"
+#include "renderer/passes/view_uniforms.h"
+
+namespace romascope {
+
+/// What the camera sees at each pixel. Row 0 is the top of the picture.
+class GBuffer {
+public:
+    /// Draws the scene; makes the textures anew where the size changed.
+    void draw(const FrameContext& frame, const View& view);
+
+    const Texture& depth() const { return depth_; }           ///< D32F, near / distance, 0: nothing
+    const Texture& normal() const { return normal_; }         ///< R32UI, octahedral
+    const Texture& base_color() const { return base_color_; } ///< sRGB8
+    const Texture& emission() const { return emission_; }     ///< R11G11B10F
+    StructureBytes bytes() const;
+
+    /// Binds depth and normal where shaders/common/surface.glsl reads them.
+    void bind_surface() const;
+
+    static ShaderVariant variant();
+
+private:
+    void resize(glm::ivec2 size);
+    ProgramSlot program_;
+    Texture depth_, normal_, base_color_, emission_;
+    Framebuffer framebuffer_;
+};
+
+} // namespace romascope

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/reuse/running_mean.h"
+
+namespace romascope {
+
+ShaderVariant RunningMean::variant(GLenum format) {
+    return {"running mean",
+            {{GL_COMPUTE_SHADER, "reuse/running_mean.comp.glsl"}},
+            {{"MEAN_FORMAT", format == GL_R32F ? "r32f" : "rgba32f"}},
+            {}};
+}
+
+void RunningMean::add(const FrameContext& frame, const Texture& value) {
+    if (mean_.size() != value.size() || mean_.format() != value.format()) {
+        mean_ = Texture("running mean", GL_TEXTURE_2D, value.format(), value.size());
+        reset();
+    }
+    const Program& program = program_.get(frame.shaders, variant(value.format()));
+    auto pass = frame.timer.compute("running mean");
+    program.use();
+    program.set("count", ++count_);
+    program.set("picture_size", glm::ivec2(value.size()));
+    value.bind(0);
+    mean_.bind_image(0, GL_READ_WRITE);
+    dispatch_covering(value.size(), {8, 8, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+} // namespace romascope

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/gl/program.h"
+#include "renderer/passes/frame_context.h"
+
+namespace romascope {
+
+/// Mean of all frames since the last reset, for a still camera and scene.
+class RunningMean {
+public:
+    /// `value`: R32F or RGBA32F. A change of size or format starts anew.
+    void add(const FrameContext& frame, const Texture& value);
+    void reset() { count_ = 0; }
+    const Texture& mean() const { return mean_; }
+    uint32_t count() const { return count_; }
+    StructureBytes bytes() const { return {"running mean", mean_.bytes()}; }
+
+    /// `format`: GL_R32F or GL_RGBA32F.
+    static ShaderVariant variant(GLenum format);
+
+private:
+    ProgramSlot program_;
+    Texture mean_;
+    uint32_t count_ = 0;
+};
+
+} // namespace romascope

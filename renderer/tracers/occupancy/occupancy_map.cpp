@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/tracers/occupancy/occupancy_map.h"
+
+#include "shaders/common/random.h"
+
+namespace romascope {
+namespace {
+
+/// Where this frame's grid lies, in [0, amount)^3 cells: R2-like steps in three dimensions (Roberts
+/// 2018), which spread evenly from the first frames on.
+glm::vec3 jitter_of_frame(const FrameContext& frame, float amount) {
+    constexpr uint32_t kSteps[3] = {3518319155u, 2882110345u, 2360945575u};
+    glm::vec3 jitter;
+    for (uint32_t axis = 0; axis < 3; ++axis) {
+        const uint32_t shift = gpu::pcg_hash(frame.seed + gpu::pcg_hash(0x6f6d6170u + axis));
+        jitter[static_cast<int>(axis)] =
+            amount * gpu::unit_float(kSteps[axis] * frame.frame + shift);
+    }
+    return jitter;
+}
+
+} // namespace
+
+std::vector<const KnobBase*> occupancy_knobs() {
+    return {&kOccupancyResolution, &kOccupancyJitter, &kOccupancyAxes};
+}
+
+ShaderVariant OccupancyMap::variant() {
+    return {"voxelize",
+            {{GL_VERTEX_SHADER, "tracers/occupancy/voxelize.vert.glsl"},
+             {GL_FRAGMENT_SHADER, "tracers/occupancy/voxelize.frag.glsl"}},
+            {},
+            {}};
+}
+
+void OccupancyMap::build(const FrameContext& frame) {
+    const int resolution = frame.settings.get(kOccupancyResolution);
+    const auto amount = static_cast<float>(frame.settings.get(kOccupancyJitter));
+    grid_ = OccupancyGrid::fit(frame.scene.bounds(), resolution, jitter_of_frame(frame, amount));
+    const glm::ivec3 texels(grid_.size.x, grid_.size.y, (grid_.size.z + 31) / 32);
+    if (texture_.size() != texels)
+        texture_ = Texture("occupancy map", GL_TEXTURE_3D, GL_R32UI, texels);
+    if (framebuffer_side_ != resolution) {
+        framebuffer_ = Framebuffer("occupancy map", glm::ivec2(resolution));
+        framebuffer_side_ = resolution;
+    }
+    const Program& program = program_.get(frame.shaders, variant());
+
+    auto pass = frame.timer.raster("occupancy map");
+    texture_.clear_uint(0);
+    framebuffer_.bind();
+    glDisable(GL_DEPTH_TEST);
+    glDisable(GL_CULL_FACE);
+    program.use();
+    program.set("grid_origin", grid_.origin);
+    program.set("cells_per_metre", 1.0f / grid_.cell_size);
+    program.set("grid_size", grid_.size);
+    texture_.bind_image(0, GL_READ_WRITE);
+    const bool all = frame.settings.get(kOccupancyAxes) == OccupancyAxes::all;
+    for (int axis = all ? 0 : 2; axis < 3; ++axis) {
+        program.set("axis", axis);
+        glViewport(0, 0, grid_.size[(axis + 1) % 3], grid_.size[(axis + 2) % 3]);
+        frame.scene.draw();
+    }
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+BitGrid OccupancyMap::download() const { return BitGrid(grid_.size, texture_.download_uint(1)); }
+
+} // namespace romascope

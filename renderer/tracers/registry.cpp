@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/roma/roma_tracer.h"
+#include "renderer/tracers/tracer.h"
+
+namespace romascope {
+
+const std::vector<TracerEntry>& tracers() {
+    static const std::vector<TracerEntry> entries = {
+        {"roma", "ray-aligned occupancy map array, aligned by rotation (Zeng et al. 2023)",
+         make_roma_tracer},
+    };
+    return entries;
+}
+
+std::vector<const KnobBase*> tracer_knobs() {
+    std::vector<const KnobBase*> all = occupancy_knobs();
+    for (const KnobBase* knob : roma_knobs())
+        all.push_back(knob);
+    return all;
+}
+
+} // namespace romascope

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: MIT
+// The CPU twin of the rotation and of the tracing: the same functions of roma_shared.h, around them
+// plain loops. Tests compare it bit for bit with the shaders.
+#pragma once
+
+#include "renderer/tracers/roma/directions.h"
+
+#include <optional>
+#include <vector>
+
+namespace romascope {
+
+/// One aligned map on the CPU: column (i, j) starts at words[(j * side + i) * words_per_column].
+struct AlignedMap {
+    gpu::RomaDirection direction;
+    int side = 0;
+    std::vector<uint32_t> words;
+
+    int words_per_column() const { return (side + 31) / 32; }
+    const uint32_t* column(glm::ivec2 place) const {
+        return &words[(static_cast<size_t>(place.y) * side + place.x) * words_per_column()];
+    }
+};
+
+AlignedMap rotate_on_cpu(const BitGrid& base, const gpu::RomaDirection& direction, int side);
+
+bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray);
+
+/// Distance in cells from the surface; nothing for a miss.
+std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray);
+
+} // namespace romascope

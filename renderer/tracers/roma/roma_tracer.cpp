@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/tracers/roma/roma_tracer.h"
+
+#include "renderer/base/error.h"
+
+#include <fmt/format.h>
+
+namespace romascope {
+namespace {
+
+static_assert(sizeof(gpu::RomaDirection) == 7 * 16, "std430 layout of RomaDirection");
+static_assert(offsetof(gpu::RomaDirection, base_origin) == 3 * 16);
+
+/// How the words of a column are cut into texels: up to four to a texel, one layer per texel.
+struct ColumnLayout {
+    int words, words_per_texel, layers;
+    GLenum format;
+    const char* glsl_format;
+};
+
+ColumnLayout layout_of(int side) {
+    const int words = (side + 31) / 32;
+    if (words == 1)
+        return {words, 1, 1, GL_R32UI, "r32ui"};
+    if (words == 2)
+        return {words, 2, 1, GL_RG32UI, "rg32ui"};
+    return {words, 4, (words + 3) / 4, GL_RGBA32UI, "rgba32ui"};
+}
+
+std::vector<ShaderDefine> layout_defines(int side) {
+    const ColumnLayout layout = layout_of(side);
+    return {{"ROMA_SIDE", std::to_string(side)},
+            {"ROMA_WORDS_PER_TEXEL", std::to_string(layout.words_per_texel)},
+            {"ROMA_LAYERS_PER_MAP", std::to_string(layout.layers)},
+            {"ROMA_FORMAT", layout.glsl_format}};
+}
+
+ShaderVariant rotate_variant(int side) {
+    std::vector<ShaderDefine> defines = layout_defines(side);
+    defines.push_back({"ROMA_GROUP_WORDS", "1"});
+    return {"rotate", {{GL_COMPUTE_SHADER, "tracers/roma/rotate.comp.glsl"}}, defines, {}};
+}
+
+} // namespace
+
+std::vector<const KnobBase*> roma_knobs() {
+    return {&kRomaAngularResolution, &kRomaDirectionJitter, &kRomaNormalOffset, &kRomaSampling};
+}
+
+std::unique_ptr<Tracer> make_roma_tracer() { return std::make_unique<RomaTracer>(); }
+
+void RomaTracer::build(const FrameContext& frame) {
+    occupancy_.build(frame);
+    rotate(frame, occupancy_.texture(), occupancy_.grid(), frame.scene.bounds());
+}
+
+void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+                        const Bounds& bounds) {
+    const int side = frame.settings.get(kOccupancyResolution);
+    cube_ = AlignedCube::around(bounds, grid.cell_size, side);
+    candidates_ = candidate_directions(frame.settings.get(kRomaAngularResolution),
+                                       frame.settings.get(kRomaDirectionJitter), frame.seed,
+                                       frame.frame);
+    upload_directions(frame, grid);
+    resize_maps(static_cast<int>(candidates_.size()));
+    const Program& program = rotate_.get(frame.shaders, rotate_variant(side));
+
+    auto pass = frame.timer.compute("roma rotation");
+    program.use();
+    program.set("base_size", grid.size);
+    base.bind(0);
+    directions_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    maps_.bind_image(0, GL_WRITE_ONLY);
+    dispatch_covering({side, side, maps_.size().z}, {8, 8, 1});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+}
+
+void RomaTracer::upload_directions(const FrameContext& frame, const OccupancyGrid& grid) {
+    std::vector<gpu::RomaDirection> directions;
+    const double offset = frame.settings.get(kRomaNormalOffset) * cube_.cell_size;
+    std::vector<glm::vec4> uniforms = {
+        glm::vec4(cube_.centre, 0.0f),
+        glm::vec4(1.0 / cube_.cell_size, cube_.cell_size, offset, 0.0)};
+    for (const glm::dvec3& candidate : candidates_) {
+        directions.push_back(aligned_map(cube_, candidate, grid));
+        uniforms.emplace_back(glm::vec3(candidate), 0.0f);
+    }
+    const auto upload = [](Buffer& buffer, const char* label, std::span<const std::byte> bytes) {
+        if (buffer.bytes() != bytes.size())
+            buffer = Buffer(label, bytes);
+        else
+            buffer.upload(bytes);
+    };
+    upload(directions_, "roma directions", std::as_bytes(std::span(directions)));
+    upload(candidate_uniforms_, "roma candidates", std::as_bytes(std::span(uniforms)));
+}
+
+void RomaTracer::resize_maps(int directions) {
+    const ColumnLayout layout = layout_of(cube_.side);
+    const glm::ivec3 size(cube_.side, cube_.side, directions * layout.layers);
+    if (maps_.size() != size || maps_.format() != layout.format)
+        maps_ = Texture("roma maps", GL_TEXTURE_2D_ARRAY, layout.format, size);
+}
+
+std::vector<ShaderDefine> RomaTracer::shader_defines(const Settings& settings) const {
+    std::vector<ShaderDefine> defines = layout_defines(settings.get(kOccupancyResolution));
+    for (ShaderDefine& define : romascope::shader_defines(settings, {&kRomaAngularResolution}))
+        defines.push_back(std::move(define));
+    return defines;
+}
+
+bool RomaTracer::sample_candidates(const Settings& settings) const {
+    return settings.get(kRomaSampling) == RomaSampling::candidates;
+}
+
+void RomaTracer::bind() const {
+    maps_.bind(4);
+    directions_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+    candidate_uniforms_.bind(GL_UNIFORM_BUFFER, 4);
+}
+
+std::vector<StructureBytes> RomaTracer::bytes() const {
+    return {occupancy_.bytes(),
+            {"roma maps", maps_.bytes() + directions_.bytes() + candidate_uniforms_.bytes()}};
+}
+
+std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
+    return {OccupancyMap::variant(), rotate_variant(settings.get(kOccupancyResolution))};
+}
+
+std::vector<uint32_t> RomaTracer::download_map(int index) const {
+    const ColumnLayout layout = layout_of(cube_.side);
+    const std::vector<GLuint> texels = maps_.download_uint(layout.words_per_texel);
+    const size_t columns = static_cast<size_t>(cube_.side) * cube_.side;
+    std::vector<uint32_t> words;
+    words.reserve(columns * layout.words);
+    for (size_t column = 0; column < columns; ++column) {
+        for (int word = 0; word < layout.words; ++word) {
+            const size_t layer = static_cast<size_t>(index) * layout.layers + word / layout.words_per_texel;
+            words.push_back(texels[(layer * columns + column) * layout.words_per_texel +
+                                   word % layout.words_per_texel]);
+        }
+    }
+    return words;
+}
+
+} // namespace romascope

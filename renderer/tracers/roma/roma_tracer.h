@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/roma/directions.h"
+#include "renderer/tracers/tracer.h"
+
+namespace romascope {
+
+enum class RomaSampling { snap, candidates };
+
+inline const Knob<int> kRomaAngularResolution{
+    {.key = "roma.angular_resolution",
+     .unit = "strata per side",
+     .help = "Candidate directions per frame, as the square root of their number.",
+     .source = "Zeng et al. 2023, section 6"},
+    4, 2, 16};
+inline const Knob<bool> kRomaDirectionJitter{
+    {.key = "roma.direction_jitter",
+     .unit = "",
+     .help = "New candidate directions every frame, each at random in its stratum; else the middle "
+             "of each stratum.",
+     .source = "Zeng et al. 2023, section 4.3"},
+    true};
+inline const Knob<double> kRomaNormalOffset{
+    {.key = "roma.normal_offset",
+     .unit = "cells",
+     .help = "How far a ray starts off its surface, along the normal, in cells of the aligned map.",
+     .source = "Zeng et al. 2023, section 6"},
+    1.5, 0.0, 8.0};
+inline const Knob<RomaSampling> kRomaSampling{
+    {.key = "roma.sampling",
+     .unit = "",
+     .help = "How rays become candidates: snapped to the candidate of their stratum, as published, "
+             "or chosen among the candidates by cosine, which leaves an open plane fully open.",
+     .source = "candidates: no ray falls below its surface"},
+    RomaSampling::candidates,
+    {"snap", "candidates"}};
+
+std::vector<const KnobBase*> roma_knobs();
+
+/// Ray-aligned occupancy map array: the base occupancy map rotated to each of a few candidate
+/// directions, so that a ray along one of them is a range of bits (Zeng et al. 2023).
+class RomaTracer final : public Tracer {
+public:
+    void build(const FrameContext& frame) override;
+    std::string shader_file() const override { return "tracers/roma/roma_tracer.glsl"; }
+    std::vector<ShaderDefine> shader_defines(const Settings& settings) const override;
+    bool sample_candidates(const Settings& settings) const override;
+    void bind() const override;
+    std::vector<StructureBytes> bytes() const override;
+    std::vector<ShaderVariant> build_variants(const Settings& settings) const override;
+
+    // What was built, for tests and for views.
+    const OccupancyMap& occupancy() const { return occupancy_; }
+    const AlignedCube& cube() const { return cube_; }
+    const std::vector<glm::dvec3>& candidates() const { return candidates_; }
+    /// Words of map `index`, ordered as AlignedMap has them.
+    std::vector<uint32_t> download_map(int index) const;
+
+    /// Rotates a given base map: build() without the rasterising.
+    void rotate(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+                const Bounds& bounds);
+
+private:
+    void upload_directions(const FrameContext& frame, const OccupancyGrid& grid);
+    void resize_maps(int directions);
+
+    OccupancyMap occupancy_;
+    AlignedCube cube_;
+    std::vector<glm::dvec3> candidates_;
+    ProgramSlot rotate_;
+    Buffer directions_;         ///< std430 RomaDirection[]
+    Buffer candidate_uniforms_; ///< std140 RomaCandidates of roma_tracer.glsl
+    Texture maps_;
+};
+
+std::unique_ptr<Tracer> make_roma_tracer();
+
+} // namespace romascope

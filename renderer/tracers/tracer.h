@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/passes/frame_context.h"
+
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace romascope {
+
+/// A visibility structure: built from the scene each frame, asked by any estimator.
+///
+/// Its GLSL file, which estimators include as "tracer.glsl", gives
+///     bool  tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max)
+///     float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max)
+/// for a ray from a surface point with unit normal and direction; t_max in metres from the surface,
+/// infinity allowed; the distance in metres, negative for a miss. How far the ray's start is moved
+/// off the surface is the tracer's own affair. One with a fixed set of directions also defines
+/// TRACER_HAS_CANDIDATES 1 and gives the functions over those (see roma_tracer.glsl).
+class Tracer {
+public:
+    virtual ~Tracer() = default;
+
+    /// Builds the structure for this frame. Throws Error if it cannot be held.
+    virtual void build(const FrameContext& frame) = 0;
+
+    /// The GLSL file below shaders/, and the defines it needs under these settings.
+    virtual std::string shader_file() const = 0;
+    virtual std::vector<ShaderDefine> shader_defines(const Settings& settings) const = 0;
+    /// True if estimators shall choose among the tracer's candidates under these settings.
+    virtual bool sample_candidates(const Settings&) const { return false; }
+
+    /// Binds what was built for the GLSL file: texture units, storage and uniform blocks from 4 up.
+    virtual void bind() const = 0;
+
+    virtual std::vector<StructureBytes> bytes() const = 0;
+    /// All programs of the build under these settings, for tests that compile them.
+    virtual std::vector<ShaderVariant> build_variants(const Settings& settings) const = 0;
+};
+
+/// What `romascope info` and the settings know of a tracer before there is one.
+struct TracerEntry {
+    std::string_view name;
+    std::string_view description;
+    std::unique_ptr<Tracer> (*make)();
+};
+
+/// All tracers. A new one is a folder here, a GLSL file, and a line in registry.cpp.
+const std::vector<TracerEntry>& tracers();
+
+/// The knobs of all tracers and of what they share.
+std::vector<const KnobBase*> tracer_knobs();
+
+} // namespace romascope
