@@ -4,6 +4,7 @@
 #include "shaders/common/random.h"
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace romascope {
@@ -53,36 +54,52 @@ std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t see
     return directions;
 }
 
-AlignedCube AlignedCube::around(const Bounds& bounds, double base_cell, int side) {
-    AlignedCube cube;
-    cube.centre = bounds.centre();
-    cube.cell_size = (glm::length(glm::dvec3(bounds.extent())) + 2.0 * base_cell) / side;
-    cube.side = side;
-    return cube;
-}
-
-gpu::RomaDirection aligned_map(const AlignedCube& cube, glm::dvec3 direction,
-                               const OccupancyGrid& grid) {
+AlignedBox AlignedBox::around(const Bounds& bounds, double margin, glm::dvec3 direction, int side) {
+    const glm::dvec3 extent = glm::dvec3(bounds.extent()) + 2.0 * margin;
+    const auto length_along = [&](glm::dvec3 axis) { return glm::dot(glm::abs(axis), extent); };
     const glm::dvec3 helper =
         std::abs(direction.z) < 0.9 ? glm::dvec3(0, 0, 1) : glm::dvec3(1, 0, 0);
-    const glm::dvec3 u = glm::normalize(glm::cross(helper, direction));
-    const glm::dvec3 v = glm::cross(direction, u);
-    const double half = 0.5 * cube.side;
-    const auto row = [&](glm::dvec3 axis) {
-        return glm::vec4(glm::vec3(axis / cube.cell_size), static_cast<float>(half));
+    const glm::dvec3 right = glm::normalize(glm::cross(helper, direction));
+    const glm::dvec3 up = glm::cross(direction, right);
+
+    AlignedBox box;
+    box.centre = glm::dvec3(bounds.centre());
+    double smallest = std::numeric_limits<double>::infinity();
+    constexpr int kTurns = 18; // of 5 degrees
+    for (int turn = 0; turn < kTurns; ++turn) {
+        const double angle = turn * std::numbers::pi / (2 * kTurns);
+        const glm::dvec3 u = std::cos(angle) * right + std::sin(angle) * up;
+        const glm::dvec3 v = glm::cross(direction, u);
+        const glm::dvec3 size(length_along(u), length_along(v), length_along(direction));
+        if (size.x * size.y < smallest) {
+            smallest = size.x * size.y;
+            box.axes = glm::dmat3(u, v, direction);
+            box.cell = size / double(side);
+        }
+    }
+    return box;
+}
+
+gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyGrid& grid,
+                               double offset_cells) {
+    const auto row = [&](int axis, double extra) {
+        return glm::vec4(glm::vec3(box.axes[axis] / box.cell[axis]), static_cast<float>(extra));
     };
-    // From aligned cells to base cells: both grids are cubic.
-    const double ratio = cube.cell_size / grid.cell_size;
-    const glm::dvec3 centre =
-        (glm::dvec3(cube.centre) - glm::dvec3(grid.origin)) / double(grid.cell_size);
-    const glm::dvec3 first = centre + (u + v + direction) * ratio * (0.5 - half);
-    return {row(u),
-            row(v),
-            row(direction),
+    // From aligned cells to base cells.
+    const glm::dvec3 centre = (box.centre - glm::dvec3(grid.origin)) / double(grid.cell_size);
+    glm::dvec3 steps[3];
+    glm::dvec3 first = centre;
+    for (int axis = 0; axis < 3; ++axis) {
+        steps[axis] = box.axes[axis] * (box.cell[axis] / grid.cell_size);
+        first += steps[axis] * (0.5 - 0.5 * side);
+    }
+    return {row(0, 1.0 / box.cell.z),
+            row(1, box.cell.z),
+            row(2, offset_cells * box.largest_cell()),
             fixed_point(first),
-            fixed_point(u * ratio),
-            fixed_point(v * ratio),
-            fixed_point(direction * ratio)};
+            fixed_point(steps[0]),
+            fixed_point(steps[1]),
+            fixed_point(steps[2])};
 }
 
 } // namespace romascope

@@ -4,6 +4,7 @@
 #include "renderer/tracers/occupancy/bit_grid.h"
 #include "shaders/tracers/roma/roma_shared.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -17,19 +18,25 @@ glm::dvec3 hemisphere_from_square(glm::dvec2 square);
 /// place of its stratum (Zeng et al. 2023, sections 4.1 and 4.3), or at its middle.
 std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t seed, uint32_t frame);
 
-/// The cube of an aligned map: it encloses the scene whatever way it is turned.
-struct AlignedCube {
-    glm::vec3 centre{0.0f};
-    double cell_size = 1.0; ///< metres
-    int side = 1;           ///< cells
+/// The box of one aligned map: its third axis is the candidate direction; it encloses the scene as
+/// tightly as boxes of that orientation can. Cut into side^3 cells, which need not be cubes.
+struct AlignedBox {
+    glm::dvec3 centre{0.0};
+    glm::dmat3 axes{1.0}; ///< columns: unit axes u, v, w
+    glm::dvec3 cell{1.0}; ///< metres along u, v, w
 
-    /// The smallest for scenes within `bounds` whose occupied cells, of size `base_cell`, reach up
-    /// to one cell beyond them.
-    static AlignedCube around(const Bounds& bounds, double base_cell, int side);
+    /// For a scene within `bounds` whose occupied cells, of size `margin`, reach up to one cell
+    /// beyond them. The turn about the direction is the one with the smallest cross section.
+    static AlignedBox around(const Bounds& bounds, double margin, glm::dvec3 direction, int side);
+
+    /// What "a cell" means for the normal offset: the longest side, so that no turn of the map
+    /// brings a ray's start back into the cells of its own surface.
+    double largest_cell() const { return std::max({cell.x, cell.y, cell.z}); }
 };
 
-/// What the shaders need to know of the map that is aligned with a unit direction.
-gpu::RomaDirection aligned_map(const AlignedCube& cube, glm::dvec3 direction,
-                               const OccupancyGrid& grid);
+/// What the shaders need to know of an aligned map. `offset_cells`: how far rays start off their
+/// surface, in largest_cell().
+gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyGrid& grid,
+                               double offset_cells);
 
 } // namespace romascope

@@ -56,33 +56,32 @@ void RomaTracer::build(const FrameContext& frame) {
 
 void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
                         const Bounds& bounds) {
-    const int side = frame.settings.get(kOccupancyResolution);
-    cube_ = AlignedCube::around(bounds, grid.cell_size, side);
-    candidates_ = candidate_directions(frame.settings.get(kRomaAngularResolution),
-                                       frame.settings.get(kRomaDirectionJitter), frame.seed,
-                                       frame.frame);
-    upload_directions(frame, grid);
-    resize_maps(static_cast<int>(candidates_.size()));
-    const Program& program = rotate_.get(frame.shaders, rotate_variant(side));
+    side_ = frame.settings.get(kOccupancyResolution);
+    aim(frame, grid, bounds);
+    resize_maps();
+    const Program& program = rotate_.get(frame.shaders, rotate_variant(side_));
 
     auto pass = frame.timer.compute("roma rotation");
     program.use();
     program.set("base_size", grid.size);
     base.bind(0);
-    directions_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    maps_.bind_image(0, GL_WRITE_ONLY);
-    dispatch_covering({side, side, maps_.size().z}, {8, 8, 1});
+    direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    map_texture_.bind_image(0, GL_WRITE_ONLY);
+    dispatch_covering(map_texture_.size(), {8, 8, 1});
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
-void RomaTracer::upload_directions(const FrameContext& frame, const OccupancyGrid& grid) {
-    std::vector<gpu::RomaDirection> directions;
-    const double offset = frame.settings.get(kRomaNormalOffset) * cube_.cell_size;
-    std::vector<glm::vec4> uniforms = {
-        glm::vec4(cube_.centre, 0.0f),
-        glm::vec4(1.0 / cube_.cell_size, cube_.cell_size, offset, 0.0)};
+/// Draws this frame's candidates and tells the shaders.
+void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const Bounds& bounds) {
+    candidates_ = candidate_directions(frame.settings.get(kRomaAngularResolution),
+                                       frame.settings.get(kRomaDirectionJitter), frame.seed,
+                                       frame.frame);
+    const double offset = frame.settings.get(kRomaNormalOffset);
+    directions_.clear();
+    std::vector<glm::vec4> uniforms = {glm::vec4(bounds.centre(), 0.0f)};
     for (const glm::dvec3& candidate : candidates_) {
-        directions.push_back(aligned_map(cube_, candidate, grid));
+        const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, candidate, side_);
+        directions_.push_back(aligned_map(box, side_, grid, offset));
         uniforms.emplace_back(glm::vec3(candidate), 0.0f);
     }
     const auto upload = [](Buffer& buffer, const char* label, std::span<const std::byte> bytes) {
@@ -91,15 +90,16 @@ void RomaTracer::upload_directions(const FrameContext& frame, const OccupancyGri
         else
             buffer.upload(bytes);
     };
-    upload(directions_, "roma directions", std::as_bytes(std::span(directions)));
+    upload(direction_buffer_, "roma directions", std::as_bytes(std::span(directions_)));
     upload(candidate_uniforms_, "roma candidates", std::as_bytes(std::span(uniforms)));
 }
 
-void RomaTracer::resize_maps(int directions) {
-    const ColumnLayout layout = layout_of(cube_.side);
-    const glm::ivec3 size(cube_.side, cube_.side, directions * layout.layers);
-    if (maps_.size() != size || maps_.format() != layout.format)
-        maps_ = Texture("roma maps", GL_TEXTURE_2D_ARRAY, layout.format, size);
+void RomaTracer::resize_maps() {
+    const ColumnLayout layout = layout_of(side_);
+    const int layers = static_cast<int>(candidates_.size()) * layout.layers;
+    const glm::ivec3 size(side_, side_, layers);
+    if (map_texture_.size() != size || map_texture_.format() != layout.format)
+        map_texture_ = Texture("roma maps", GL_TEXTURE_2D_ARRAY, layout.format, size);
 }
 
 std::vector<ShaderDefine> RomaTracer::shader_defines(const Settings& settings) const {
@@ -114,14 +114,15 @@ bool RomaTracer::sample_candidates(const Settings& settings) const {
 }
 
 void RomaTracer::bind() const {
-    maps_.bind(4);
-    directions_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+    map_texture_.bind(4);
+    direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
     candidate_uniforms_.bind(GL_UNIFORM_BUFFER, 4);
 }
 
 std::vector<StructureBytes> RomaTracer::bytes() const {
     return {occupancy_.bytes(),
-            {"roma maps", maps_.bytes() + directions_.bytes() + candidate_uniforms_.bytes()}};
+            {"roma maps",
+             map_texture_.bytes() + direction_buffer_.bytes() + candidate_uniforms_.bytes()}};
 }
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
@@ -129,9 +130,9 @@ std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) 
 }
 
 std::vector<uint32_t> RomaTracer::download_map(int index) const {
-    const ColumnLayout layout = layout_of(cube_.side);
-    const std::vector<GLuint> texels = maps_.download_uint(layout.words_per_texel);
-    const size_t columns = static_cast<size_t>(cube_.side) * cube_.side;
+    const ColumnLayout layout = layout_of(side_);
+    const std::vector<GLuint> texels = map_texture_.download_uint(layout.words_per_texel);
+    const size_t columns = static_cast<size_t>(side_) * side_;
     std::vector<uint32_t> words;
     words.reserve(columns * layout.words);
     for (size_t column = 0; column < columns; ++column) {

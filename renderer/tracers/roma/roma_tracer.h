@@ -25,7 +25,7 @@ inline const Knob<bool> kRomaDirectionJitter{
 inline const Knob<double> kRomaNormalOffset{
     {.key = "roma.normal_offset",
      .unit = "cells",
-     .help = "How far a ray starts off its surface, along the normal, in cells of the aligned map.",
+     .help = "How far a ray starts off its surface, along the normal, in cells of its aligned map.",
      .source = "Zeng et al. 2023, section 6"},
     1.5, 0.0, 8.0};
 inline const Knob<RomaSampling> kRomaSampling{
@@ -53,8 +53,8 @@ public:
 
     // What was built, for tests and for views.
     const OccupancyMap& occupancy() const { return occupancy_; }
-    const AlignedCube& cube() const { return cube_; }
     const std::vector<glm::dvec3>& candidates() const { return candidates_; }
+    const std::vector<gpu::RomaDirection>& maps() const { return directions_; }
     /// Words of map `index`, ordered as AlignedMap has them.
     std::vector<uint32_t> download_map(int index) const;
 
@@ -63,16 +63,17 @@ public:
                 const Bounds& bounds);
 
 private:
-    void upload_directions(const FrameContext& frame, const OccupancyGrid& grid);
-    void resize_maps(int directions);
+    void aim(const FrameContext& frame, const OccupancyGrid& grid, const Bounds& bounds);
+    void resize_maps();
 
     OccupancyMap occupancy_;
-    AlignedCube cube_;
+    int side_ = 0;
     std::vector<glm::dvec3> candidates_;
+    std::vector<gpu::RomaDirection> directions_;
     ProgramSlot rotate_;
-    Buffer directions_;         ///< std430 RomaDirection[]
+    Buffer direction_buffer_;   ///< std430 RomaDirection[]
     Buffer candidate_uniforms_; ///< std140 RomaCandidates of roma_tracer.glsl
-    Texture maps_;
+    Texture map_texture_;
 };
 
 std::unique_ptr<Tracer> make_roma_tracer();

@@ -2,7 +2,7 @@
 // Ray-aligned occupancy maps by rotation (Zeng et al. 2023, Algorithms 1 and 2): what the generation
 // and the tracing compute, for the shaders and their CPU twin alike.
 //
-// An aligned map is a cube of side^3 cells around the scene, turned so that its third axis is a
+// An aligned map is a box of side^3 cells around the scene, turned so that its third axis is a
 // candidate direction; the cells of a column along that axis are consecutive bits. "Aligned
 // coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k, k+1).
 #pragma once
@@ -18,9 +18,10 @@ const int kRomaFractionBits = 20;
 
 /// One aligned map. Laid out for std430.
 struct RomaDirection {
-    vec4 row_u; ///< aligned u = dot(row_u.xyz, point - centre) + row_u.w, per metre
-    vec4 row_v;
-    vec4 row_w; ///< along the candidate direction; xyz has the length 1 / cell size
+    vec4 row_u; ///< xyz: aligned u = side / 2 + dot(row_u.xyz, point - centre), per metre
+                ///< w: cells per metre along the candidate direction
+    vec4 row_v; ///< xyz: likewise; w: metres per cell along the candidate direction
+    vec4 row_w; ///< xyz: likewise, along the candidate direction; w: normal offset in metres
     ivec4 base_origin; ///< base map coordinates of the centre of aligned cell (0, 0, 0), fixed point
     ivec4 base_step_u; ///< change of those from one aligned cell to the next
     ivec4 base_step_v;
@@ -33,11 +34,15 @@ SHARED_FN ivec3 roma_base_position(RomaDirection map, ivec3 cell) {
            ivec3(map.base_step_v) * cell.y + ivec3(map.base_step_w) * cell.z;
 }
 
-/// Aligned coordinates of a point given in metres from the centre of the cube.
-SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point) {
-    EXACT float u = map.row_u.x * point.x + map.row_u.y * point.y + map.row_u.z * point.z + map.row_u.w;
-    EXACT float v = map.row_v.x * point.x + map.row_v.y * point.y + map.row_v.z * point.z + map.row_v.w;
-    EXACT float w = map.row_w.x * point.x + map.row_w.y * point.y + map.row_w.z * point.z + map.row_w.w;
+/// Aligned coordinates of a point given in metres from the centre of the box.
+SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point, int side) {
+    float half_side = 0.5f * float(side);
+    EXACT float u =
+        map.row_u.x * point.x + map.row_u.y * point.y + map.row_u.z * point.z + half_side;
+    EXACT float v =
+        map.row_v.x * point.x + map.row_v.y * point.y + map.row_v.z * point.z + half_side;
+    EXACT float w =
+        map.row_w.x * point.x + map.row_w.y * point.y + map.row_w.z * point.z + half_side;
     return vec3(u, v, w);
 }
 
@@ -77,16 +82,16 @@ struct RomaRay {
     bool forward;
 };
 
-/// `point`: the surface point in metres from the centre of the cube; `normal`: unit; the ray starts
-/// `offset` metres along it. `t_max`: metres from the surface point, infinity allowed.
-SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 normal, float offset,
-                           float t_max, float cells_per_metre, int side) {
-    EXACT vec3 moved = point + normal * offset;
-    EXACT float reach = t_max * cells_per_metre;
+/// `point`: the surface point in metres from the centre of the box; `normal`: unit. `t_max`: metres
+/// from the surface point, infinity allowed.
+SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 normal, float t_max,
+                           int side) {
+    EXACT vec3 moved = point + normal * map.row_w.w;
+    EXACT float reach = t_max * map.row_u.w;
     RomaRay ray;
-    ray.surface = roma_aligned(map, point).z;
+    ray.surface = roma_aligned(map, point, side).z;
     ray.forward = forward;
-    ray.span = roma_span(roma_aligned(map, moved), ray.surface, reach, forward, side);
+    ray.span = roma_span(roma_aligned(map, moved, side), ray.surface, reach, forward, side);
     return ray;
 }
 

@@ -17,8 +17,7 @@
 layout(binding = 4) uniform usampler2DArray aligned_maps;
 layout(std430, binding = 4) readonly buffer RomaDirections { RomaDirection roma_directions[]; };
 layout(std140, binding = 4) uniform RomaCandidates {
-    vec4 roma_centre; ///< of the cube, metres; w unused
-    vec4 roma_scale;  ///< x: aligned cells per metre; y: metres per aligned cell; z: offset, metres
+    vec4 roma_centre; ///< of the scene, metres; w unused
     vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
 };
 
@@ -27,8 +26,7 @@ vec3 tracer_candidate(int index) { return roma_candidates[index].xyz; }
 
 RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     precise vec3 relative = point - roma_centre.xyz;
-    return roma_ray(roma_directions[map], forward, relative, normal, roma_scale.z, t_max,
-                    roma_scale.x, ROMA_SIDE);
+    return roma_ray(roma_directions[map], forward, relative, normal, t_max, ROMA_SIDE);
 }
 
 /// The words of the ray's column, cut to the cells it passes.
@@ -71,7 +69,9 @@ float tracer_candidate_closest_hit(int map, bool forward, vec3 point, vec3 norma
             if (words[word] != 0u)
                 cell = 32 * word + findMSB(words[word]);
     }
-    return cell < 0 ? -1.0 : roma_hit_distance(cell, ray.surface, forward) * roma_scale.y;
+    if (cell < 0)
+        return -1.0;
+    return roma_hit_distance(cell, ray.surface, forward) * roma_directions[map].row_v.w;
 }
 
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
