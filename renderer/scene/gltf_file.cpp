@@ -4,10 +4,8 @@
 #include "renderer/base/error.h"
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 #include <tiny_gltf.h>
 
-#include <array>
 #include <cstring>
 #include <fstream>
 #include <limits>
@@ -116,10 +114,12 @@ std::string_view json_part(std::string_view content, bool binary) {
 }
 
 void check_versions(const tinygltf::Model& model) {
+    std::string needed;
+    for (const std::string& extension : model.extensionsRequired)
+        needed += (needed.empty() ? "" : ", ") + extension;
     if (!model.extensionsRequired.empty())
         refuse("extensionsRequired",
-               fmt::format("needs {}, which is not supported; export without it",
-                           fmt::join(model.extensionsRequired, ", ")));
+               fmt::format("needs {}, which is not supported; export without it", needed));
     const std::string& version = model.asset.version;
     if (version != "2" && version.rfind("2.", 0) != 0)
         refuse("asset.version", fmt::format("'{}', but glTF 2.0 is needed", version));
