@@ -37,6 +37,8 @@ ExpandedShader ShaderLibrary::expand(const ShaderVariant& variant, const ShaderS
 }
 
 std::string ShaderLibrary::read(const std::string& file) const {
+    if (const auto own = added_.find(file); own != added_.end())
+        return own->second;
     if (!folder_.empty())
         return read_text_file(folder_ / file);
     const auto found = embedded_shaders().find(file);

@@ -43,6 +43,9 @@ public:
     ShaderLibrary() = default;
     explicit ShaderLibrary(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
+    /// Adds a file that lies in neither, such as a test's shader around functions of the project.
+    void add(const std::string& file, const std::string& text) { added_[file] = text; }
+
     /// `#version`, the variant's defines, then the stage's file; each `#include "path"` (from the
     /// shader root) is replaced by that file the first time it occurs. Throws Error that names file
     /// and line for a file that does not exist.
@@ -53,6 +56,7 @@ private:
     void append(const ShaderVariant& variant, const std::string& file, const std::string& from,
                 ExpandedShader& out) const;
     std::filesystem::path folder_; ///< empty: embedded
+    std::map<std::string, std::string> added_;
 };
 
 /// Replaces source string numbers in a driver's log, "0:12(3)" or "0(12)", by "file:12".

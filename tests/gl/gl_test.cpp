@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: MIT
+#include "tests/gl/gl_test.h"
+
+#include "renderer/base/error.h"
+
+#include <cstdlib>
+
+namespace romascope {
+namespace {
+
+/// Made when the first test asks; null with a reason where the machine lacks the backend.
+struct SharedContext {
+    std::unique_ptr<Context> context;
+    std::string why_not;
+};
+
+const SharedContext& shared_context() {
+    static const SharedContext shared = [] {
+        const char* name = std::getenv("ROMASCOPE_TEST_BACKEND");
+        SharedContext made;
+        ContextRequest request;
+        request.backend = backend_from_name(name ? name : "egl");
+        request.debug = true;
+        try {
+            made.context = create_context(request);
+        } catch (const Error& error) {
+            made.why_not = error.what();
+        }
+        return made;
+    }();
+    return shared;
+}
+
+} // namespace
+
+void GlTest::SetUp() {
+    if (!shared_context().context)
+        GTEST_SKIP() << "this machine lacks the backend: " << shared_context().why_not;
+    log_.emplace();
+    timer_.emplace();
+}
+
+void GlTest::TearDown() {
+    if (!log_)
+        return;
+    EXPECT_NO_THROW(check_gl_error("the test"));
+    for (const std::string& message : log_->messages())
+        ADD_FAILURE() << message;
+    timer_.reset();
+    log_.reset();
+}
+
+Scene scene_of_triangles(const std::vector<glm::vec3>& corners) {
+    Scene scene;
+    scene.name = "test";
+    scene.materials = {Material{}};
+    for (size_t i = 0; i + 2 < corners.size(); i += 3) {
+        const glm::vec3 normal = glm::normalize(
+            glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]));
+        for (size_t k = i; k < i + 3; ++k) {
+            scene.indices.push_back(static_cast<uint32_t>(scene.positions.size()));
+            scene.positions.push_back(corners[k]);
+            scene.normals.push_back(normal);
+            scene.vertex_material.push_back(0);
+            scene.bounds.add(corners[k]);
+        }
+    }
+    scene.cameras = {look_at("camera", scene.bounds.centre() + glm::vec3(0, 1, 3),
+                             scene.bounds.centre(), 1.0f)};
+    return scene;
+}
+
+std::vector<glm::vec3> rectangle(glm::vec3 centre, glm::vec3 normal, float half_side) {
+    const glm::vec3 helper = std::abs(normal.x) < 0.7f ? glm::vec3(1, 0, 0) : glm::vec3(0, 1, 0);
+    const glm::vec3 u = half_side * glm::normalize(glm::cross(helper, normal));
+    const glm::vec3 v = half_side * glm::normalize(glm::cross(normal, u));
+    return {centre - u - v, centre + u - v, centre + u + v,
+            centre - u - v, centre + u + v, centre - u + v};
+}
+
+glm::vec3 random_direction(std::mt19937& random) {
+    std::normal_distribution<float> normal;
+    return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
+}
+
+BitGrid random_grid(glm::ivec3 size, double probability, std::mt19937& random) {
+    BitGrid grid(size);
+    std::bernoulli_distribution occupied(probability);
+    for (int z = 0; z < size.z; ++z)
+        for (int y = 0; y < size.y; ++y)
+            for (int x = 0; x < size.x; ++x)
+                if (occupied(random))
+                    grid.set({x, y, z});
+    return grid;
+}
+
+Texture upload_grid(const BitGrid& grid) {
+    const glm::ivec3 texels(grid.size().x, grid.size().y, grid.words_per_column());
+    Texture texture("test grid", GL_TEXTURE_3D, GL_R32UI, texels);
+    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, texels.x, texels.y, texels.z, GL_RED_INTEGER,
+                        GL_UNSIGNED_INT, grid.words().data());
+    return texture;
+}
+
+} // namespace romascope

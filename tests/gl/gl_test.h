@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+// The ground of every test that needs GL: one context per process, of the backend that
+// ROMASCOPE_TEST_BACKEND names (egl if unset); any GL debug message or error fails the test.
+#pragma once
+
+#include "renderer/frame/pipeline.h"
+#include "renderer/gl/context.h"
+#include "renderer/gl/debug.h"
+
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <random>
+
+namespace romascope {
+
+class GlTest : public testing::Test {
+protected:
+    void SetUp() override;
+    void TearDown() override;
+
+    /// A frame context over a scene with these settings; lives as long as the test.
+    FrameContext frame(const GpuScene& scene, const Settings& settings, uint32_t seed = 0,
+                       uint32_t number = 0) {
+        return {settings, shaders_, scene, *timer_, seed, number};
+    }
+
+    ShaderLibrary shaders_;
+    std::optional<DebugLog> log_;
+    std::optional<PassTimer> timer_;
+};
+
+/// Triangles without an index shared, white, with flat normals.
+Scene scene_of_triangles(const std::vector<glm::vec3>& corners);
+
+/// A rectangle of two triangles around `centre`, at right angles to `normal`.
+std::vector<glm::vec3> rectangle(glm::vec3 centre, glm::vec3 normal, float half_side);
+
+glm::vec3 random_direction(std::mt19937& random);
+
+/// Every cell set with this probability.
+BitGrid random_grid(glm::ivec3 size, double probability, std::mt19937& random);
+
+/// The grid as the occupancy map's texture holds it.
+Texture upload_grid(const BitGrid& grid);
+
+} // namespace romascope

@@ -1,0 +1,260 @@
+// SPDX-License-Identifier: MIT
+// The rotation and its tracing: GPU against the CPU twin, bit for bit, and both against a walk in
+// double precision that shares no code with them.
+#include "renderer/tracers/roma/roma_cpu.h"
+#include "shaders/tracers/roma/concentric.h"
+#include "tests/gl/gl_test.h"
+
+#include <cmath>
+
+namespace romascope {
+namespace {
+
+/// Traces given rays with the tracer's own GLSL. In: 4 vec4 per ray (point, normal, direction with
+/// t_max, candidate and sign). Out: any-hit, closest distance, both of the snapped direction.
+constexpr const char* kRayShader = R"(
+#include "tracer.glsl"
+layout(local_size_x = 64) in;
+struct Ray { vec4 point; vec4 normal; vec4 direction; ivec4 choice; };
+layout(std430, binding = 0) readonly buffer Rays { Ray rays[]; };
+layout(std430, binding = 1) writeonly buffer Results { vec4 results[]; };
+uniform int count;
+void main() {
+    int i = int(gl_GlobalInvocationID.x);
+    if (i >= count)
+        return;
+    Ray ray = rays[i];
+    vec3 point = ray.point.xyz, normal = ray.normal.xyz;
+    float t_max = ray.direction.w;
+    int map = ray.choice.x;
+    bool forward = ray.choice.y != 0;
+    results[i] = vec4(tracer_candidate_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
+                      tracer_candidate_closest_hit(map, forward, point, normal, t_max),
+                      tracer_any_hit(point, normal, ray.direction.xyz, t_max) ? 1.0 : 0.0,
+                      tracer_closest_hit(point, normal, ray.direction.xyz, t_max));
+}
+)";
+
+struct Ray {
+    glm::vec4 point, normal, direction; ///< direction.w: t_max
+    glm::ivec4 choice;                  ///< candidate, 1 along it or 0 against it
+};
+
+struct Case {
+    glm::ivec3 size;
+    int side, angular;
+    double density;
+};
+
+class RomaTest : public GlTest {
+protected:
+    void prepare(const Case& c, unsigned seed) {
+        random_.seed(seed);
+        settings_.set(kOccupancyResolution, c.side);
+        settings_.set(kRomaAngularResolution, c.angular);
+        base_ = random_grid(c.size, c.density, random_);
+        grid_.size = c.size;
+        grid_.cell_size = 0.173f;
+        grid_.origin = {-3.7f, 1.1f, 20.0f};
+        bounds_ = {};
+        bounds_.add(grid_.origin);
+        bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(c.size));
+        const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
+        const GpuScene gpu_scene(any);
+        tracer_ = std::make_unique<RomaTracer>();
+        tracer_->rotate(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
+                        bounds_);
+        for (const gpu::RomaDirection& direction : tracer_->maps())
+            maps_.push_back(rotate_on_cpu(base_, direction, c.side));
+    }
+
+    /// Some start within the scene, some far outside; reaches from nothing to infinity.
+    std::vector<Ray> random_rays(int count) {
+        std::uniform_real_distribution<float> unit(-0.3f, 1.3f);
+        std::uniform_real_distribution<float> reach(0.0f, 1.0f);
+        std::uniform_int_distribution<int> map(0, static_cast<int>(maps_.size()) - 1);
+        std::vector<Ray> rays;
+        for (int i = 0; i < count; ++i) {
+            const glm::vec3 place(unit(random_), unit(random_), unit(random_));
+            const float diagonal = glm::length(bounds_.extent());
+            const float t_max = i % 4 == 0 ? std::numeric_limits<float>::infinity()
+                                : i % 17 == 0 ? 0.0f
+                                              : diagonal * reach(random_) * reach(random_);
+            rays.push_back({glm::vec4(bounds_.min + place * bounds_.extent(), 0.0f),
+                            glm::vec4(random_direction(random_), 0.0f),
+                            glm::vec4(random_direction(random_), t_max),
+                            {map(random_), i % 2, 0, 0}});
+        }
+        return rays;
+    }
+
+    std::vector<glm::vec4> trace_on_gpu(const std::vector<Ray>& rays) {
+        shaders_.add("test/rays.comp.glsl", kRayShader);
+        ProgramSlot slot;
+        const Program& program = slot.get(shaders_, {"rays",
+                                                     {{GL_COMPUTE_SHADER, "test/rays.comp.glsl"}},
+                                                     tracer_->shader_defines(settings_),
+                                                     {{"tracer.glsl", tracer_->shader_file()}}});
+        const Buffer in = Buffer::from("rays", std::span(rays));
+        const Buffer out("results", rays.size() * sizeof(glm::vec4));
+        program.use();
+        program.set("count", static_cast<int>(rays.size()));
+        in.bind(GL_SHADER_STORAGE_BUFFER, 0);
+        out.bind(GL_SHADER_STORAGE_BUFFER, 1);
+        tracer_->bind();
+        dispatch_covering({static_cast<int>(rays.size()), 1, 1}, {64, 1, 1});
+        return out.download<glm::vec4>();
+    }
+
+    gpu::RomaRay on_cpu(const Ray& ray, int map, bool forward) const {
+        const glm::vec3 relative = glm::vec3(ray.point) - bounds_.centre();
+        return gpu::roma_ray(maps_[static_cast<size_t>(map)].direction, forward, relative,
+                             glm::vec3(ray.normal), ray.direction.w,
+                             settings_.get(kOccupancyResolution));
+    }
+
+    float distance_on_cpu(const Ray& ray, int map, bool forward) const {
+        const AlignedMap& aligned = maps_[static_cast<size_t>(map)];
+        const auto hit = closest_hit_on_cpu(aligned, on_cpu(ray, map, forward));
+        return hit ? *hit * aligned.direction.row_v.w : -1.0f;
+    }
+
+    std::mt19937 random_;
+    Settings settings_{all_knobs()};
+    BitGrid base_;
+    OccupancyGrid grid_;
+    Bounds bounds_;
+    std::unique_ptr<RomaTracer> tracer_;
+    std::vector<AlignedMap> maps_;
+};
+
+class RomaCases : public RomaTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
+    prepare(GetParam(), 11);
+    size_t set = 0;
+    for (size_t i = 0; i < maps_.size(); ++i) {
+        const std::vector<uint32_t> words = tracer_->download_map(static_cast<int>(i));
+        ASSERT_EQ(words.size(), maps_[i].words.size());
+        EXPECT_EQ(words, maps_[i].words) << "map " << i;
+        for (const uint32_t word : words)
+            set += static_cast<size_t>(std::popcount(word));
+    }
+    EXPECT_GT(set, 0u);
+}
+
+TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
+    prepare(GetParam(), 12);
+    const std::vector<Ray> rays = random_rays(20000);
+    const std::vector<glm::vec4> results = trace_on_gpu(rays);
+    size_t hits = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const int map = rays[i].choice.x;
+        const bool forward = rays[i].choice.y != 0;
+        const bool hit = any_hit_on_cpu(maps_[static_cast<size_t>(map)], on_cpu(rays[i], map, forward));
+        ASSERT_EQ(results[i].x != 0.0f, hit) << "ray " << i;
+        ASSERT_EQ(results[i].y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
+        const glm::vec3 direction(rays[i].direction);
+        const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
+        const glm::vec3 candidate(tracer_->candidates()[static_cast<size_t>(stratum)]);
+        const bool along = gpu::roma_is_forward(direction, candidate);
+        ASSERT_EQ(results[i].w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
+        ASSERT_EQ(results[i].z != 0.0f, results[i].w >= 0.0f) << "ray " << i;
+        hits += hit;
+    }
+    EXPECT_GT(hits, rays.size() / 20);
+    EXPECT_LT(hits, rays.size() * 19 / 20);
+}
+
+/// Walks the cells of the aligned map that a ray passes, in double precision and world space: the
+/// centre of each is looked up in the base grid. Nothing if rounding could decide either way.
+std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, const Bounds& bounds,
+                           glm::dvec3 direction, bool forward, int side, double offset_cells,
+                           glm::dvec3 point, glm::dvec3 normal, double t_max, bool& ambiguous) {
+    // The box is an input of the test, as its shape is a choice and no claim.
+    const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, direction, side);
+    const auto to_box = [&](glm::dvec3 p) {
+        return glm::transpose(box.axes) * (p - box.centre) / box.cell + 0.5 * side;
+    };
+    const glm::dvec3 start = to_box(point + normal * offset_cells * box.largest_cell());
+    const double surface = to_box(point).z;
+    const auto near_border = [](double x) { return std::abs(x - std::round(x)) < 2e-3; };
+    ambiguous = near_border(start.x) || near_border(start.y) || near_border(start.z);
+    const int i = static_cast<int>(std::floor(start.x)), j = static_cast<int>(std::floor(start.y));
+    if (i < 0 || j < 0 || i >= side || j >= side)
+        return std::nullopt;
+    const int begin = std::clamp(static_cast<int>(std::floor(start.z)), -1, side);
+    for (int k = begin; forward ? k < side : k >= 0; k += forward ? 1 : -1) {
+        if (k < 0 || k >= side)
+            continue; // outside, but on the way in
+        const double entry = (forward ? k - surface : surface - (k + 1)) * box.cell.z;
+        ambiguous = ambiguous || std::abs(entry - t_max) < 2e-3 * box.cell.z;
+        if (entry >= t_max)
+            return std::nullopt;
+        const glm::dvec3 world =
+            box.centre + box.axes * ((glm::dvec3(i, j, k) + 0.5 - 0.5 * side) * box.cell);
+        const glm::dvec3 cell = (world - glm::dvec3(grid.origin)) / double(grid.cell_size);
+        // Only a border between cells that differ can change the answer.
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::dvec3 shift(corner & 1, corner / 2 & 1, corner / 4);
+            const glm::dvec3 moved = cell + 2e-3 * (2.0 * shift - 1.0);
+            ambiguous = ambiguous || base.get(glm::ivec3(glm::floor(moved))) !=
+                                         base.get(glm::ivec3(glm::floor(cell)));
+        }
+        if (base.get(glm::ivec3(glm::floor(cell))))
+            return std::max(entry, 0.0);
+    }
+    return std::nullopt;
+}
+
+TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
+    prepare(GetParam(), 13);
+    const std::vector<Ray> rays = random_rays(20000);
+    size_t compared = 0, hits = 0;
+    for (const Ray& ray : rays) {
+        const int map = ray.choice.x;
+        const bool forward = ray.choice.y != 0;
+        bool ambiguous = false;
+        const auto expected =
+            walk(base_, grid_, bounds_, tracer_->candidates()[static_cast<size_t>(map)],
+                 forward, GetParam().side, settings_.get(kRomaNormalOffset), ray.point, ray.normal,
+                 ray.direction.w, ambiguous);
+        if (ambiguous)
+            continue;
+        const float distance = distance_on_cpu(ray, map, forward);
+        ASSERT_EQ(expected.has_value(), distance >= 0.0f);
+        if (expected) {
+            ASSERT_NEAR(*expected, distance, 1e-3 * grid_.cell_size);
+        }
+        ++compared;
+        hits += expected.has_value();
+    }
+    EXPECT_GT(compared, rays.size() / 2); // the exception must not swallow the test
+    EXPECT_GT(hits, compared / 20);
+}
+
+INSTANTIATE_TEST_SUITE_P(Grids, RomaCases,
+                         testing::Values(Case{{32, 32, 32}, 32, 4, 0.02},
+                                         Case{{33, 20, 7}, 33, 3, 0.02},
+                                         Case{{64, 40, 64}, 64, 2, 0.005},
+                                         Case{{50, 100, 31}, 100, 4, 0.005},
+                                         Case{{128, 90, 60}, 128, 2, 0.004},
+                                         Case{{129, 16, 32}, 129, 2, 0.01},
+                                         Case{{256, 64, 100}, 256, 2, 0.002}),
+                         [](const testing::TestParamInfo<Case>& info) {
+                             return "side" + std::to_string(info.param.side);
+                         });
+
+TEST_F(RomaTest, TheSameSeedGivesTheSameMaps) {
+    prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
+    const std::vector<uint32_t> first = tracer_->download_map(3);
+    maps_.clear();
+    prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
+    EXPECT_EQ(tracer_->download_map(3), first);
+    maps_.clear();
+    prepare({{40, 30, 20}, 40, 4, 0.05}, 6);
+    EXPECT_NE(tracer_->download_map(3), first);
+}
+
+} // namespace
+} // namespace romascope
