@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
+#include "app/output_files.h"
 #include "renderer/base/error.h"
 #include "renderer/image/image_io.h"
 #include "renderer/metrics/compare.h"
@@ -31,6 +32,7 @@ int compare(const CompareOptions& options) {
         only = metric_from_name(options.metric);
     if (!options.error_map.empty())
         check_image_extension(options.error_map);
+    check_output_files({options.error_map}, {options.reference, options.test});
     if (options.max && !(*options.max >= 0.0))
         throw Error("--max needs a number of at least 0", kBadInput);
     const Image reference = read_image(options.reference);
@@ -65,15 +67,22 @@ Command add_compare_command(CLI::App& app) {
     auto options = std::make_shared<CompareOptions>();
     CLI::App* command = app.add_subcommand(
         "compare", "Errors of a picture against a reference: FLIP, RMSE, MAE, signed bias");
-    command->add_option("reference", options->reference, "the right picture, .png or .hdr")
+    command->add_option("REFERENCE", options->reference, "the right picture, .png or .hdr")
+        ->type_name("FILE")
         ->required();
-    command->add_option("test", options->test, "the picture to judge, of the same size")
+    command->add_option("TEST", options->test, "the picture to judge, of the same size")
+        ->type_name("FILE")
         ->required();
-    command->add_option("--metric", options->metric, "flip, rmse, mae or bias; else all of them");
-    command->add_option("--error-map", options->error_map,
-                        "picture of the error by the metric (FLIP if none is named)");
-    command->add_option("--max", options->max,
-                        "exit with status 1 if a figure (of a bias, its size) is above this");
+    command->add_option("--metric", options->metric, "flip, rmse, mae or bias; else all of them")
+        ->type_name("NAME");
+    command
+        ->add_option("--error-map", options->error_map,
+                     "picture of the error by the metric (FLIP if none is named)")
+        ->type_name("FILE");
+    command
+        ->add_option("--max", options->max,
+                     "exit with status 1 if a figure (of a bias, its size) is above this")
+        ->type_name("VALUE");
     return [options] { return compare(*options); };
 }
 

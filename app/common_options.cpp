@@ -10,9 +10,16 @@ namespace romascope {
 
 void BackendOptions::add_to(CLI::App& command) {
     command.add_option("--backend", backend, "auto, window, egl or osmesa")
-        ->capture_default_str();
-    command.add_option("--egl-device", egl_device,
-                       "EGL device by the number that 'romascope info' lists");
+        ->type_name("NAME")
+        ->capture_default_str()
+        ->check([](const std::string& name) {
+            backend_from_name(name); // throws before any work is done
+            return std::string();
+        });
+    command
+        .add_option("--egl-device", egl_device,
+                    "EGL device by the number that 'romascope info' lists")
+        ->type_name("N");
     command.add_flag("--gl-debug", debug, "ask for a debug context; its messages are errors");
     command.add_flag("--verbose", verbose, "tell which backend was taken, and why");
 }
@@ -20,8 +27,7 @@ void BackendOptions::add_to(CLI::App& command) {
 std::unique_ptr<Context> BackendOptions::make_context() const {
     ContextRequest request;
     request.backend = backend_from_name(backend);
-    if (egl_device >= 0)
-        request.egl_device = egl_device;
+    request.egl_device = egl_device;
     request.debug = debug;
     std::string story;
     std::unique_ptr<Context> context = create_context(request, &story);

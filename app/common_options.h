@@ -5,6 +5,7 @@
 #include "renderer/gl/context.h"
 
 #include <memory>
+#include <optional>
 #include <string>
 
 namespace CLI {
@@ -16,7 +17,7 @@ namespace romascope {
 /// --backend, --egl-device, --gl-debug, --verbose.
 struct BackendOptions {
     std::string backend = "auto";
-    int egl_device = -1; ///< below 0: not asked for
+    std::optional<int> egl_device;
     bool debug = false;
     bool verbose = false;
 

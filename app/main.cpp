@@ -2,49 +2,101 @@
 #include "app/build_facts.h"
 #include "app/commands.h"
 #include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cerrno>
 #include <cstdio>
+#include <cstring>
 #include <new>
 #include <vector>
 
+namespace romascope {
 namespace {
 
-int report_failure(const char* text, int status) {
+int report_failure(const std::string& text, int status) {
     fmt::print(stderr, "romascope: {}\n", text);
     return status;
 }
 
-} // namespace
+/// What a user typed may hold line breaks; what answers it is one line.
+std::string one_line(std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text;
+}
 
-int main(int argc, char** argv) {
-    using namespace romascope;
+/// For a word of the command line that means nothing: the command or option it may stand for.
+std::string unknown_word(const CLI::App& app, const std::string& word) {
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    std::vector<std::string> names;
+    if (chosen.empty() && !word.starts_with('-')) {
+        for (const CLI::App* command : app.get_subcommands({}))
+            names.push_back(command->get_name());
+        return fmt::format("unknown command '{}': did you mean '{}'? (there are {})", word,
+                           nearest_name(word, names), fmt::join(names, ", "));
+    }
+    if (!word.starts_with('-'))
+        return fmt::format("'{}' is one argument too many", word);
+    for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())
+        for (const std::string& name : option->get_lnames())
+            names.push_back("--" + name);
+    const std::string typed = word.substr(0, word.find('='));
+    if (!typed.starts_with("--"))
+        return fmt::format("unknown option '{}'", typed);
+    return fmt::format("unknown option '{}': did you mean '{}'?", typed,
+                       nearest_name(typed, names));
+}
+
+std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
+    const std::vector<std::string> unknown = app.remaining(true);
+    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty();
+    const std::vector<CLI::App*> chosen = app.get_subcommands();
+    return fmt::format("{} (see 'romascope{} --help')",
+                       extra ? unknown_word(app, unknown.front()) : error.what(),
+                       chosen.empty() ? "" : " " + chosen.front()->get_name());
+}
+
+int run(int argc, char** argv) {
     CLI::App app("Which fast visibility method is good enough for a scene, and what does it cost?",
                  "romascope");
     app.set_version_flag("--version", fmt::format("romascope {} ({})", kVersion, kCommit));
-    app.require_subcommand(1);
-    app.failure_message([](const CLI::App* from, const CLI::Error& error) {
-        std::string text = error.what();
-        std::replace(text.begin(), text.end(), '\n', ' ');
-        return fmt::format("romascope: {} (see 'romascope{} --help')\n", text,
-                           from->get_subcommands().empty()
-                               ? ""
-                               : " " + from->get_subcommands().front()->get_name());
-    });
+    app.require_subcommand(0, 1); // none is refused below, after a misspelt one got its answer
     int status = 0;
     for (const auto& add : {add_render_command, add_compare_command, add_info_command}) {
-        Command run = add(app);
-        app.get_subcommands({}).back()->callback([&status, run] { status = run(); });
+        Command command = add(app);
+        app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }
     try {
         app.parse(argc, argv);
-        return status;
     } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : kBadInput;
+        if (error.get_exit_code() == 0)
+            return app.exit(error); // --help, --version
+        throw Error(usage_error(app, error), kBadInput);
+    }
+    if (app.get_subcommands().empty())
+        throw Error("a command is missing: render, compare or info (see 'romascope --help')",
+                    kBadInput);
+    return status;
+}
+
+} // namespace
+} // namespace romascope
+
+int main(int argc, char** argv) {
+    using namespace romascope;
+    try {
+        const int status = run(argc, argv);
+        // A full disk must not pass for success.
+        if (std::fflush(stdout) != 0)
+            throw Error(fmt::format("cannot write the output: {}", std::strerror(errno)));
+        return status;
     } catch (const Error& error) {
-        return report_failure(error.what(), error.exit_status());
+        const bool bad_input = error.exit_status() == kBadInput;
+        return report_failure(bad_input ? one_line(error.what()) : error.what(),
+                              error.exit_status());
     } catch (const std::bad_alloc&) {
         return report_failure("out of memory: choose a smaller picture or scene", 1);
     } catch (const std::exception& error) {
