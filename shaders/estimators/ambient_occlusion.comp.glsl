@@ -17,8 +17,9 @@ uniform uint frame;
 #if SAMPLE_CANDIDATES
 /// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
 /// the side of the normal: unbiased for the set of candidates, and exactly 1 on an open plane.
-/// All rays of the pixel lie evenly over the summed weights; the van der Corput sequence moves them
-/// from frame to frame, so that successive frames fill the gaps.
+/// All rays of the pixel lie evenly over the summed weights, taken in an order in which neighbours
+/// have similar directions; the van der Corput sequence moves them from frame to frame, so that
+/// successive frames fill the gaps.
 int free_rays(ivec2 pixel, Surface surface) {
     float total = 0.0;
     for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i)
@@ -29,7 +30,8 @@ int free_rays(ivec2 pixel, Surface surface) {
     int free = 0;
     int traced = 0;
     for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i) {
-        float weight = dot(surface.normal, tracer_candidate(i));
+        int candidate = tracer_candidate_in_place(i);
+        float weight = dot(surface.normal, tracer_candidate(candidate));
         sum += abs(weight);
         int share = 0; // rays that fall to this candidate
         while (traced < AO_RAYS && (target < sum || i == TRACER_CANDIDATE_COUNT - 1)) {
@@ -37,7 +39,7 @@ int free_rays(ivec2 pixel, Surface surface) {
             ++traced;
             target += step;
         }
-        if (share > 0 && !tracer_candidate_any_hit(i, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
+        if (share > 0 && !tracer_candidate_any_hit(candidate, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
             free += share;
     }
     return free;

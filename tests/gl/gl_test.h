@@ -6,6 +6,7 @@
 #include "renderer/frame/pipeline.h"
 #include "renderer/gl/context.h"
 #include "renderer/gl/debug.h"
+#include "renderer/tracers/roma/roma_tracer.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tests/gl/gl_test.h"
 
+#include <bit>
 #include <cmath>
 
 namespace romascope {

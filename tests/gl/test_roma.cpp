@@ -5,6 +5,7 @@
 #include "shaders/tracers/roma/concentric.h"
 #include "tests/gl/gl_test.h"
 
+#include <bit>
 #include <cmath>
 
 namespace romascope {
@@ -169,14 +170,14 @@ TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
 /// Walks the cells of the aligned map that a ray passes, in double precision and world space: the
 /// centre of each is looked up in the base grid. Nothing if rounding could decide either way.
 std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, const Bounds& bounds,
-                           glm::dvec3 direction, bool forward, int side, double offset_cells,
+                           glm::dvec3 direction, bool forward, int side, double offset,
                            glm::dvec3 point, glm::dvec3 normal, double t_max, bool& ambiguous) {
     // The box is an input of the test, as its shape is a choice and no claim.
     const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, direction, side);
     const auto to_box = [&](glm::dvec3 p) {
         return glm::transpose(box.axes) * (p - box.centre) / box.cell + 0.5 * side;
     };
-    const glm::dvec3 start = to_box(point + normal * offset_cells * box.largest_cell());
+    const glm::dvec3 start = to_box(point + normal * offset);
     const double surface = to_box(point).z;
     const auto near_border = [](double x) { return std::abs(x - std::round(x)) < 2e-3; };
     ambiguous = near_border(start.x) || near_border(start.y) || near_border(start.z);
@@ -210,6 +211,9 @@ std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, const
 TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     prepare(GetParam(), 13);
     const std::vector<Ray> rays = random_rays(20000);
+    const double longest_turn =
+        glm::length(glm::dvec3(bounds_.extent()) + 2.0 * grid_.cell_size) / GetParam().side;
+    const double offset = settings_.get(kRomaNormalOffset) * longest_turn;
     size_t compared = 0, hits = 0;
     for (const Ray& ray : rays) {
         const int map = ray.choice.x;
@@ -217,7 +221,7 @@ TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
         bool ambiguous = false;
         const auto expected =
             walk(base_, grid_, bounds_, tracer_->candidates()[static_cast<size_t>(map)],
-                 forward, GetParam().side, settings_.get(kRomaNormalOffset), ray.point, ray.normal,
+                 forward, GetParam().side, offset, ray.point, ray.normal,
                  ray.direction.w, ambiguous);
         if (ambiguous)
             continue;

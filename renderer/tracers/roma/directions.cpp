@@ -3,9 +3,12 @@
 
 #include "shaders/common/random.h"
 
+#include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <numeric>
 
 namespace romascope {
 namespace {
@@ -13,6 +16,22 @@ namespace {
 glm::ivec4 fixed_point(glm::dvec3 cells) {
     const double scale = 1 << gpu::kRomaFractionBits;
     return glm::ivec4(glm::ivec3(glm::floor(cells * scale + 0.5)), 0);
+}
+
+/// Place of a cell along the Hilbert curve over a square whose side is a power of two (Hilbert 1891;
+/// the quadrants are visited in turn, the first and the last transposed).
+unsigned hilbert_index(glm::uvec2 cell, unsigned square) {
+    unsigned index = 0;
+    for (unsigned half = square / 2; half > 0; half /= 2) {
+        const unsigned right = (cell.x & half) ? 1u : 0u, upper = (cell.y & half) ? 1u : 0u;
+        index += half * half * ((3u * right) ^ upper);
+        if (!upper) {
+            if (right)
+                cell = glm::uvec2(square - 1) - cell;
+            std::swap(cell.x, cell.y);
+        }
+    }
+    return index;
 }
 
 } // namespace
@@ -54,6 +73,15 @@ std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t see
     return directions;
 }
 
+std::vector<int> strata_along_curve(int side) {
+    std::vector<int> order(static_cast<size_t>(side) * side);
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, {}, [side](int stratum) {
+        return hilbert_index({stratum % side, stratum / side}, std::bit_ceil(unsigned(side)));
+    });
+    return order;
+}
+
 AlignedBox AlignedBox::around(const Bounds& bounds, double margin, glm::dvec3 direction, int side) {
     const glm::dvec3 extent = glm::dvec3(bounds.extent()) + 2.0 * margin;
     const auto length_along = [&](glm::dvec3 axis) { return glm::dot(glm::abs(axis), extent); };
@@ -80,8 +108,12 @@ AlignedBox AlignedBox::around(const Bounds& bounds, double margin, glm::dvec3 di
     return box;
 }
 
+double enclosing_cell(const Bounds& bounds, double margin, int side) {
+    return glm::length(glm::dvec3(bounds.extent()) + 2.0 * margin) / side;
+}
+
 gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyGrid& grid,
-                               double offset_cells) {
+                               double offset) {
     const auto row = [&](int axis, double extra) {
         return glm::vec4(glm::vec3(box.axes[axis] / box.cell[axis]), static_cast<float>(extra));
     };
@@ -95,7 +127,7 @@ gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyG
     }
     return {row(0, 1.0 / box.cell.z),
             row(1, box.cell.z),
-            row(2, offset_cells * box.largest_cell()),
+            row(2, offset),
             fixed_point(first),
             fixed_point(steps[0]),
             fixed_point(steps[1]),

@@ -4,7 +4,6 @@
 #include "renderer/tracers/occupancy/bit_grid.h"
 #include "shaders/tracers/roma/roma_shared.h"
 
-#include <algorithm>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +17,10 @@ glm::dvec3 hemisphere_from_square(glm::dvec2 square);
 /// place of its stratum (Zeng et al. 2023, sections 4.1 and 4.3), or at its middle.
 std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t seed, uint32_t frame);
 
+/// The strata in an order in which neighbours are neighbours on the hemisphere: along a Hilbert
+/// curve over the square. What is spread evenly along it is spread evenly over the directions.
+std::vector<int> strata_along_curve(int side);
+
 /// The box of one aligned map: its third axis is the candidate direction; it encloses the scene as
 /// tightly as boxes of that orientation can. Cut into side^3 cells, which need not be cubes.
 struct AlignedBox {
@@ -28,15 +31,16 @@ struct AlignedBox {
     /// For a scene within `bounds` whose occupied cells, of size `margin`, reach up to one cell
     /// beyond them. The turn about the direction is the one with the smallest cross section.
     static AlignedBox around(const Bounds& bounds, double margin, glm::dvec3 direction, int side);
-
-    /// What "a cell" means for the normal offset: the longest side, so that no turn of the map
-    /// brings a ray's start back into the cells of its own surface.
-    double largest_cell() const { return std::max({cell.x, cell.y, cell.z}); }
 };
 
-/// What the shaders need to know of an aligned map. `offset_cells`: how far rays start off their
-/// surface, in largest_cell().
+/// The cell that the normal offset is counted in, in metres: that of a cube which encloses the
+/// scene whatever way it is turned, as published. No aligned box has a longer one, and rays of all
+/// candidates start at the same point.
+double enclosing_cell(const Bounds& bounds, double margin, int side);
+
+/// What the shaders need to know of an aligned map. `offset`: how far rays start off their surface,
+/// metres.
 gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyGrid& grid,
-                               double offset_cells);
+                               double offset);
 
 } // namespace romascope

@@ -76,7 +76,8 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
     candidates_ = candidate_directions(frame.settings.get(kRomaAngularResolution),
                                        frame.settings.get(kRomaDirectionJitter), frame.seed,
                                        frame.frame);
-    const double offset = frame.settings.get(kRomaNormalOffset);
+    const double offset = frame.settings.get(kRomaNormalOffset) *
+                          enclosing_cell(bounds, grid.cell_size, side_);
     directions_.clear();
     std::vector<glm::vec4> uniforms = {glm::vec4(bounds.centre(), 0.0f)};
     for (const glm::dvec3& candidate : candidates_) {
@@ -84,6 +85,9 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
         directions_.push_back(aligned_map(box, side_, grid, offset));
         uniforms.emplace_back(glm::vec3(candidate), 0.0f);
     }
+    int place = 0;
+    for (const int map : strata_along_curve(frame.settings.get(kRomaAngularResolution)))
+        uniforms[static_cast<size_t>(1 + place++)].w = static_cast<float>(map);
     const auto upload = [](Buffer& buffer, const char* label, std::span<const std::byte> bytes) {
         if (buffer.bytes() != bytes.size())
             buffer = Buffer(label, bytes);

@@ -25,7 +25,8 @@ inline const Knob<bool> kRomaDirectionJitter{
 inline const Knob<double> kRomaNormalOffset{
     {.key = "roma.normal_offset",
      .unit = "cells",
-     .help = "How far a ray starts off its surface, along the normal, in cells of its aligned map.",
+     .help = "How far a ray starts off its surface, along the normal, in cells of a map that encloses "
+             "the scene at any turn.",
      .source = "Zeng et al. 2023, section 6"},
     1.5, 0.0, 8.0};
 inline const Knob<RomaSampling> kRomaSampling{

@@ -4,7 +4,8 @@
 // the candidates itself.
 //
 // Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss), and for
-//        candidates tracer_candidate, tracer_candidate_any_hit, tracer_candidate_closest_hit
+//        candidates tracer_candidate,
+//        tracer_candidate_in_place, tracer_candidate_any_hit, tracer_candidate_closest_hit
 // In:    aligned_maps and directions as rotate.comp.glsl has them
 // Host:  ROMA_ANGULAR_RESOLUTION, ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_LAYERS_PER_MAP
 #include "shaders/tracers/roma/concentric.h"
@@ -18,8 +19,12 @@ layout(binding = 4) uniform usampler2DArray aligned_maps;
 layout(std430, binding = 4) readonly buffer RomaDirections { RomaDirection roma_directions[]; };
 layout(std140, binding = 4) uniform RomaCandidates {
     vec4 roma_centre; ///< of the scene, metres; w unused
+    /// xyz: unit direction of the candidate; w of the k-th: the candidate in the k-th place of an
+    /// order in which neighbours have similar directions.
     vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
 };
+
+int tracer_candidate_in_place(int place) { return int(roma_candidates[place].w); }
 
 /// Unit direction of a candidate; its opposite can be traced as well.
 vec3 tracer_candidate(int index) { return roma_candidates[index].xyz; }
