@@ -159,8 +159,11 @@ int render(const RenderOptions& options) {
         log.emplace();
     Pipeline pipeline(scene,
                       options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
-    for (int frame = 0; frame < settings.get(kFrames); ++frame)
+    for (int frame = 0; frame < settings.get(kFrames); ++frame) {
+        if (frame == 1)
+            pipeline.timer().clear(); // the first frame compiled the shaders
         pipeline.render(settings, camera);
+    }
     pipeline.timer().finish();
     const Image picture = pipeline.picture();
     check_gl_error("reading the picture");

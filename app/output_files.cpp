@@ -41,7 +41,11 @@ void check_writable(const fs::path& path) {
 
 bool same_file(const fs::path& a, const fs::path& b) {
     std::error_code code;
-    return fs::weakly_canonical(a, code) == fs::weakly_canonical(b, code);
+    const auto whole = [&](const fs::path& path) {
+        // A relative path of which nothing exists would stay relative.
+        return fs::weakly_canonical(fs::absolute(path, code), code);
+    };
+    return whole(a) == whole(b);
 }
 
 } // namespace
