@@ -57,7 +57,10 @@ void ShaderLibrary::append(const ShaderVariant& variant, const std::string& file
     }
     const size_t number = out.files.size();
     out.files.push_back(file);
-    out.text += fmt::format("#line 1 {}\n", number);
+    const auto set_line = [&](int line) {
+        out.text += fmt::format("#line {}\n", static_cast<int>(number) * kLinesPerFile + line);
+    };
+    set_line(1);
     std::istringstream lines(text);
     std::string line;
     for (int line_number = 1; std::getline(lines, line); ++line_number) {
@@ -73,26 +76,24 @@ void ShaderLibrary::append(const ShaderVariant& variant, const std::string& file
             path = path.substr(8);
         if (std::find(out.files.begin(), out.files.end(), path) == out.files.end())
             append(variant, path, fmt::format("{}:{}", file, line_number), out);
-        out.text += fmt::format("#line {} {}\n", line_number + 1, number);
+        set_line(line_number + 1);
     }
 }
 
 std::string name_files_in_log(const std::string& log, const std::vector<std::string>& files) {
-    static const std::regex place(R"(\b(\d+)(?::(\d+)(?:\(\d+\))?|\((\d+)\)))");
+    static const std::regex place(R"(\b0(?::(\d+)(?:\(\d+\))?|\((\d+)\)))");
     std::string out;
     auto from = log.cbegin();
     for (std::sregex_iterator it(log.begin(), log.end(), place), end; it != end; ++it) {
         const std::smatch& match = *it;
         out.append(from, match[0].first);
         from = match[0].second;
-        size_t number = files.size();
-        const std::string digits = match[1];
-        std::from_chars(digits.data(), digits.data() + digits.size(), number);
-        if (number < files.size())
-            out += fmt::format("{}:{}", files[number],
-                               match[2].matched ? match[2].str() : match[3].str());
-        else
-            out += match[0];
+        const std::string digits = match[1].matched ? match[1] : match[2];
+        int line = 0;
+        std::from_chars(digits.data(), digits.data() + digits.size(), line);
+        const auto number = static_cast<size_t>(line / kLinesPerFile);
+        out += number < files.size() ? fmt::format("{}:{}", files[number], line % kLinesPerFile)
+                                     : match[0].str();
     }
     out.append(from, log.cend());
     return out;

@@ -31,10 +31,14 @@ struct ShaderVariant {
     bool operator==(const ShaderVariant&) const = default;
 };
 
+/// Files are told apart in a driver's messages by their line numbers alone: Mesa loses the source
+/// string number that #line can give.
+inline constexpr int kLinesPerFile = 10000;
+
 /// The text of one stage with its includes put in.
 struct ExpandedShader {
     std::string text;
-    std::vector<std::string> files; ///< by the source string number that #line gives them
+    std::vector<std::string> files; ///< line n of file k counts as line k * kLinesPerFile + n
 };
 
 /// Where shaders are read from: the program itself, or a folder of the same layout.
@@ -59,7 +63,8 @@ private:
     std::map<std::string, std::string> added_;
 };
 
-/// Replaces source string numbers in a driver's log, "0:12(3)" or "0(12)", by "file:12".
+/// Replaces places in a driver's log, "0:10012(3)" (Mesa), "0(10012)" (NVIDIA) or "0:10012"
+/// (glslang), by "file:12".
 std::string name_files_in_log(const std::string& log, const std::vector<std::string>& files);
 
 } // namespace romascope

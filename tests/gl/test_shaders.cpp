@@ -36,13 +36,11 @@ TEST(ShaderSources, TheReferenceCompilerTakesEveryVariant) {
     const ShaderLibrary library;
     const fs::path folder = fs::temp_directory_path() / fmt::format("romascope-{}", getpid());
     fs::create_directories(folder);
-    std::string command = "glslangValidator --quiet";
     size_t count = 0;
     for (const ShaderVariant& variant : all_shader_variants()) {
         for (const ShaderStage& stage : variant.stages) {
             const fs::path file = folder / fmt::format("{}.{}", count++, extension_of(stage.type));
             write_file_atomically(file, library.expand(variant, stage).text);
-            command += " " + file.string();
         }
     }
     EXPECT_GT(count, 10u);
@@ -73,10 +71,10 @@ TEST(ShaderSources, EveryFileIsUsedByAVariant) {
 
 TEST(ShaderSources, LogsNameFilesWhateverTheDriver) {
     const std::vector<std::string> files = {"a.glsl", "b.glsl"};
-    EXPECT_EQ(name_files_in_log("1:12(3): error: x", files), "b.glsl:12: error: x"); // Mesa
+    EXPECT_EQ(name_files_in_log("0:10012(3): error: x", files), "b.glsl:12: error: x"); // Mesa
     EXPECT_EQ(name_files_in_log("0(7) : error C0000", files), "a.glsl:7 : error C0000"); // NVIDIA
-    EXPECT_EQ(name_files_in_log("ERROR: 1:5: 'y'", files), "ERROR: b.glsl:5: 'y'"); // glslang
-    EXPECT_EQ(name_files_in_log("9:5: z", files), "9:5: z");
+    EXPECT_EQ(name_files_in_log("ERROR: 0:10005: 'y'", files), "ERROR: b.glsl:5: 'y'"); // glslang
+    EXPECT_EQ(name_files_in_log("0:50005: z", files), "0:50005: z");
 }
 
 } // namespace
