@@ -3,14 +3,16 @@
 
 import os
 import shutil
-import struct
 import subprocess
+import sys
 import tempfile
 import unittest
-import zlib
 from pathlib import Path
 
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "support"))
+
 import glb
+from png_file import read_png
 
 PROGRAM = None  # the binary under test; set by test_cli.py
 SOURCE = Path(__file__).resolve().parents[2]
@@ -114,36 +116,3 @@ class CliTest(unittest.TestCase):
         lines = self.succeed("compare", reference, test, *words).stdout.splitlines()
         return {name: float(value) for name, value in
                 (line.split() for line in lines if not line.startswith("error map"))}
-
-
-def read_png(path):
-    """(width, height, channels, rows of tuples) of an 8-bit PNG without interlacing."""
-    data = Path(path).read_bytes()
-    assert data[:8] == b"\x89PNG\r\n\x1a\n", path
-    packed, at = b"", 8
-    while at < len(data):
-        length, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + length]
-        assert struct.unpack(">I", data[at + 8 + length:at + 12 + length])[0] == zlib.crc32(
-            kind + body), f"{path}: damaged"
-        if kind == b"IHDR":
-            width, height, depth, color, _, _, interlaced = struct.unpack(">IIBBBBB", body)
-        elif kind == b"IDAT":
-            packed += body
-        at += 12 + length
-    assert depth == 8 and not interlaced and color in (0, 2), path
-    channels = 1 if color == 0 else 3
-    raw, stride = zlib.decompress(packed), width * channels
-    rows, above = [], bytes(stride)
-    for y in range(height):
-        kind, *line = raw[y * (stride + 1):(y + 1) * (stride + 1)]
-        for x in range(stride):
-            left = line[x - channels] if x >= channels else 0
-            corner = above[x - channels] if x >= channels else 0
-            estimate = left + above[x] - corner
-            paeth = min((left, above[x], corner), key=lambda value: abs(estimate - value))
-            guess = (0, left, above[x], (left + above[x]) // 2, paeth)[kind]
-            line[x] = (line[x] + guess) & 255
-        rows.append([tuple(line[x:x + channels]) for x in range(0, stride, channels)])
-        above = line
-    return width, height, channels, rows
