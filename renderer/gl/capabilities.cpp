@@ -50,7 +50,6 @@ DriverFacts query_driver() {
         {"64-bit atomics", yes_no(GLAD_GL_NV_shader_atomic_int64), "wider hash cells"},
         {"shader storage block", limit(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, "bytes"),
          "largest buffer of a structure"},
-        {"uniform block", limit(GL_MAX_UNIFORM_BLOCK_SIZE, "bytes"), "candidate directions"},
         {"3D texture side", limit(GL_MAX_3D_TEXTURE_SIZE, "texels"), "occupancy map"},
         {"array texture layers", limit(GL_MAX_ARRAY_TEXTURE_LAYERS, ""), "aligned maps"},
         {"2D texture side", limit(GL_MAX_TEXTURE_SIZE, "texels"), "picture size"},

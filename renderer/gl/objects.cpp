@@ -194,10 +194,4 @@ void Framebuffer::bind() const {
     glViewport(0, 0, size_.x, size_.y);
 }
 
-void dispatch_covering(glm::ivec3 total, glm::ivec3 local) {
-    const glm::ivec3 groups = (total + local - 1) / local;
-    glDispatchCompute(static_cast<GLuint>(groups.x), static_cast<GLuint>(groups.y),
-                      static_cast<GLuint>(groups.z));
-}
-
 } // namespace romascope

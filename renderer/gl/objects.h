@@ -117,7 +117,4 @@ private:
     glm::ivec2 size_{0};
 };
 
-/// Groups of `local` invocations that cover `total`.
-void dispatch_covering(glm::ivec3 total, glm::ivec3 local);
-
 } // namespace romascope

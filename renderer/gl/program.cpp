@@ -63,8 +63,15 @@ Program::Program(const ShaderLibrary& library, const ShaderVariant& variant)
             fmt::format("shader '{}' does not link: {}", variant.name, log_of(id(), true)));
     for (const ShaderHandle& shader : shaders)
         glDetachShader(id(), shader.id());
+    if (variant.stages.front().type == GL_COMPUTE_SHADER)
+        glGetProgramiv(id(), GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(group_size_));
     glObjectLabel(GL_PROGRAM, id(), static_cast<GLsizei>(variant.name.size()),
                   variant.name.data());
+}
+
+void Program::dispatch_covering(glm::ivec3 total) const {
+    const glm::uvec3 groups((total + group_size_ - 1) / group_size_);
+    glDispatchCompute(groups.x, groups.y, groups.z);
 }
 
 void Program::set(const char* name, int value) const {

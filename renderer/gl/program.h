@@ -18,6 +18,8 @@ public:
     Program(const ShaderLibrary& library, const ShaderVariant& variant);
 
     void use() const { glUseProgram(handle_.id()); }
+    /// Runs a compute program, which must be in use, over at least `total` invocations.
+    void dispatch_covering(glm::ivec3 total) const;
     GLuint id() const { return handle_.id(); }
 
     // Uniforms by name; a name that the compiler removed is passed over.
@@ -33,6 +35,7 @@ public:
 private:
     GLint location(const char* name) const { return glGetUniformLocation(handle_.id(), name); }
     GlHandle<delete_program> handle_;
+    glm::ivec3 group_size_{1}; ///< of a compute program
 };
 
 /// The program of a pass: compiled when first needed and whenever its variant changes.

@@ -32,7 +32,7 @@ void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gb
     gbuffer.emission().bind(3);
     visibility.bind(4);
     picture_.bind_image(0, GL_WRITE_ONLY);
-    dispatch_covering(extent, {8, 8, 1});
+    program.dispatch_covering(extent);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

@@ -22,7 +22,7 @@ void RunningMean::add(const FrameContext& frame, const Texture& value) {
     program.set("picture_size", glm::ivec2(value.size()));
     value.bind(0);
     mean_.bind_image(0, GL_READ_WRITE);
-    dispatch_covering(value.size(), {8, 8, 1});
+    program.dispatch_covering(value.size());
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 

@@ -25,22 +25,22 @@ int free_rays(ivec2 pixel, Surface surface) {
     for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i)
         total += abs(dot(surface.normal, tracer_candidate(i)));
     float step = total / float(AO_RAYS);
-    float target = step * unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed, 0u)));
-    float sum = 0.0;
+    float shift = unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed, 0u)));
     int free = 0;
-    int traced = 0;
-    for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i) {
-        int candidate = tracer_candidate_in_place(i);
-        float weight = dot(surface.normal, tracer_candidate(candidate));
-        sum += abs(weight);
-        int share = 0; // rays that fall to this candidate
-        while (traced < AO_RAYS && (target < sum || i == TRACER_CANDIDATE_COUNT - 1)) {
-            ++share;
-            ++traced;
-            target += step;
+    int place = -1;
+    int candidate = 0;
+    float weight = 0.0;
+    float sum = 0.0; // of the weights up to this place
+    for (int ray = 0; ray < AO_RAYS; ++ray) {
+        float target = step * (float(ray) + shift);
+        while (sum <= target && place < TRACER_CANDIDATE_COUNT - 1) {
+            ++place;
+            candidate = tracer_candidate_in_place(place);
+            weight = dot(surface.normal, tracer_candidate(candidate));
+            sum += abs(weight);
         }
-        if (share > 0 && !tracer_candidate_any_hit(candidate, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
-            free += share;
+        if (!tracer_candidate_any_hit(candidate, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
+            ++free;
     }
     return free;
 }

@@ -103,7 +103,7 @@ protected:
         in.bind(GL_SHADER_STORAGE_BUFFER, 0);
         out.bind(GL_SHADER_STORAGE_BUFFER, 1);
         tracer_->bind();
-        dispatch_covering({static_cast<int>(rays.size()), 1, 1}, {64, 1, 1});
+        program.dispatch_covering({static_cast<int>(rays.size()), 1, 1});
         return out.download<glm::vec4>();
     }
 

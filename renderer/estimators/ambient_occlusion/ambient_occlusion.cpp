@@ -31,7 +31,7 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
     gbuffer.bind_surface();
     tracer.bind();
     visibility_.bind_image(0, GL_WRITE_ONLY);
-    dispatch_covering(extent, {8, 8, 1});
+    program.dispatch_covering(extent);
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/roma/roma_tracer.h"
 
-#include "renderer/base/error.h"
-
-#include <fmt/format.h>
+#include "renderer/gl/context.h"
 
 namespace romascope {
 namespace {
@@ -35,16 +33,23 @@ std::vector<ShaderDefine> layout_defines(int side) {
             {"ROMA_FORMAT", layout.glsl_format}};
 }
 
-ShaderVariant rotate_variant(int side) {
+bool current_device_is_software() {
+    return is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
+}
+
+ShaderVariant rotate_variant(const Settings& settings, bool by_word) {
+    const int side = settings.get(kOccupancyResolution);
     std::vector<ShaderDefine> defines = layout_defines(side);
-    defines.push_back({"ROMA_GROUP_WORDS", "1"});
+    const int group_words = by_word ? layout_of(side).words_per_texel : 1;
+    defines.push_back({"ROMA_GROUP_WORDS", std::to_string(group_words)});
     return {"rotate", {{GL_COMPUTE_SHADER, "tracers/roma/rotate.comp.glsl"}}, defines, {}};
 }
 
 } // namespace
 
 std::vector<const KnobBase*> roma_knobs() {
-    return {&kRomaAngularResolution, &kRomaDirectionJitter, &kRomaNormalOffset, &kRomaSampling};
+    return {&kRomaAngularResolution, &kRomaDirectionJitter, &kRomaNormalOffset, &kRomaSampling,
+            &kRomaRotateBy};
 }
 
 std::unique_ptr<Tracer> make_roma_tracer() { return std::make_unique<RomaTracer>(); }
@@ -59,7 +64,10 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
     side_ = frame.settings.get(kOccupancyResolution);
     aim(frame, grid, bounds);
     resize_maps();
-    const Program& program = rotate_.get(frame.shaders, rotate_variant(side_));
+    const RomaRotateBy by = frame.settings.get(kRomaRotateBy);
+    const bool by_word = by == RomaRotateBy::word ||
+                         (by == RomaRotateBy::device && !current_device_is_software());
+    const Program& program = rotate_.get(frame.shaders, rotate_variant(frame.settings, by_word));
 
     auto pass = frame.timer.compute("roma rotation");
     program.use();
@@ -67,7 +75,8 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
     base.bind(0);
     direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     map_texture_.bind_image(0, GL_WRITE_ONLY);
-    dispatch_covering(map_texture_.size(), {8, 8, 1});
+    const int invocations_per_texel = by_word ? layout_of(side_).words_per_texel : 1;
+    program.dispatch_covering(map_texture_.size() * glm::ivec3(1, 1, invocations_per_texel));
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
@@ -79,15 +88,15 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
     const double offset = frame.settings.get(kRomaNormalOffset) *
                           enclosing_cell(bounds, grid.cell_size, side_);
     directions_.clear();
-    std::vector<glm::vec4> uniforms = {glm::vec4(bounds.centre(), 0.0f)};
+    std::vector<glm::vec4> candidates = {glm::vec4(bounds.centre(), 0.0f)};
     for (const glm::dvec3& candidate : candidates_) {
         const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, candidate, side_);
         directions_.push_back(aligned_map(box, side_, grid, offset));
-        uniforms.emplace_back(glm::vec3(candidate), 0.0f);
+        candidates.emplace_back(glm::vec3(candidate), 0.0f);
     }
     int place = 0;
     for (const int map : strata_along_curve(frame.settings.get(kRomaAngularResolution)))
-        uniforms[static_cast<size_t>(1 + place++)].w = static_cast<float>(map);
+        candidates[static_cast<size_t>(1 + place++)].w = static_cast<float>(map);
     const auto upload = [](Buffer& buffer, const char* label, std::span<const std::byte> bytes) {
         if (buffer.bytes() != bytes.size())
             buffer = Buffer(label, bytes);
@@ -95,7 +104,7 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
             buffer.upload(bytes);
     };
     upload(direction_buffer_, "roma directions", std::as_bytes(std::span(directions_)));
-    upload(candidate_uniforms_, "roma candidates", std::as_bytes(std::span(uniforms)));
+    upload(candidate_buffer_, "roma candidates", std::as_bytes(std::span(candidates)));
 }
 
 void RomaTracer::resize_maps() {
@@ -120,17 +129,18 @@ bool RomaTracer::sample_candidates(const Settings& settings) const {
 void RomaTracer::bind() const {
     map_texture_.bind(4);
     direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
-    candidate_uniforms_.bind(GL_UNIFORM_BUFFER, 4);
+    candidate_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 5);
 }
 
 std::vector<StructureBytes> RomaTracer::bytes() const {
     return {occupancy_.bytes(),
             {"roma maps",
-             map_texture_.bytes() + direction_buffer_.bytes() + candidate_uniforms_.bytes()}};
+             map_texture_.bytes() + direction_buffer_.bytes() + candidate_buffer_.bytes()}};
 }
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
-    return {OccupancyMap::variant(), rotate_variant(settings.get(kOccupancyResolution))};
+    return {OccupancyMap::variant(), rotate_variant(settings, false),
+            rotate_variant(settings, true)};
 }
 
 std::vector<uint32_t> RomaTracer::download_map(int index) const {

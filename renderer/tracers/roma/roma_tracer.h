@@ -8,6 +8,7 @@
 namespace romascope {
 
 enum class RomaSampling { snap, candidates };
+enum class RomaRotateBy { device, texel, word };
 
 inline const Knob<int> kRomaAngularResolution{
     {.key = "roma.angular_resolution",
@@ -37,6 +38,15 @@ inline const Knob<RomaSampling> kRomaSampling{
      .source = "candidates: no ray falls below its surface"},
     RomaSampling::candidates,
     {"snap", "candidates"}};
+
+inline const Knob<RomaRotateBy> kRomaRotateBy{
+    {.key = "roma.rotate_by",
+     .unit = "",
+     .help = "What one invocation of the rotation makes, with the same result: a texel of up to four "
+             "words, a word, or whichever suits the device.",
+     .source = "measured: a GPU wants many small invocations, a CPU few without barriers"},
+    RomaRotateBy::device,
+    {"device", "texel", "word"}};
 
 std::vector<const KnobBase*> roma_knobs();
 
@@ -73,7 +83,7 @@ private:
     std::vector<gpu::RomaDirection> directions_;
     ProgramSlot rotate_;
     Buffer direction_buffer_;   ///< std430 RomaDirection[]
-    Buffer candidate_uniforms_; ///< std140 RomaCandidates of roma_tracer.glsl
+    Buffer candidate_buffer_;   ///< std430 RomaCandidates of roma_tracer.glsl
     Texture map_texture_;
 };
 

@@ -17,11 +17,11 @@
 
 layout(binding = 4) uniform usampler2DArray aligned_maps;
 layout(std430, binding = 4) readonly buffer RomaDirections { RomaDirection roma_directions[]; };
-layout(std140, binding = 4) uniform RomaCandidates {
+layout(std430, binding = 5) readonly buffer RomaCandidates {
     vec4 roma_centre; ///< of the scene, metres; w unused
     /// xyz: unit direction of the candidate; w of the k-th: the candidate in the k-th place of an
     /// order in which neighbours have similar directions.
-    vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
+    vec4 roma_candidates[];
 };
 
 int tracer_candidate_in_place(int place) { return int(roma_candidates[place].w); }
