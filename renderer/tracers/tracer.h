@@ -32,7 +32,7 @@ public:
     /// True if estimators shall choose among the tracer's candidates under these settings.
     virtual bool sample_candidates(const Settings&) const { return false; }
 
-    /// Binds what was built for the GLSL file: texture units and storage blocks from 4 up.
+    /// Binds what was built for the GLSL file: texture units, storage and uniform blocks from 4 up.
     virtual void bind() const = 0;
 
     virtual std::vector<StructureBytes> bytes() const = 0;

@@ -13,7 +13,6 @@ SHARED_FN float exact_reciprocal(float x) {
     y = y * (2.0f - x * y);
     y = y * (2.0f - x * y);
     y = y * (2.0f - x * y);
-    y = y * (2.0f - x * y);
     return y;
 }
 
@@ -21,7 +20,6 @@ SHARED_FN float exact_reciprocal(float x) {
 SHARED_FN float exact_sqrt(float x) {
     EXACT float h = 0.5f * x;
     EXACT float y = uintBitsToFloat(0x5F375A86u - (floatBitsToUint(x) >> 1));
-    y = y * (1.5f - h * y * y);
     y = y * (1.5f - h * y * y);
     y = y * (1.5f - h * y * y);
     y = y * (1.5f - h * y * y);

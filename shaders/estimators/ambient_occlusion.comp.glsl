@@ -9,12 +9,14 @@
 #include "shaders/common/surface.glsl"
 #include "tracer.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 8) in;
 layout(r32f, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed;
 uniform uint frame;
 
 #if SAMPLE_CANDIDATES
+const int kTogether = min(AO_RAYS, 4); // rays whose candidates are looked for in one go
+
 /// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
 /// the side of the normal: unbiased for the set of candidates, and exactly 1 on an open plane.
 /// All rays of the pixel lie evenly over the summed weights, taken in an order in which neighbours
@@ -27,32 +29,35 @@ int free_rays(ivec2 pixel, Surface surface) {
     float step = total / float(AO_RAYS);
     float shift = unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed, 0u)));
     int free = 0;
-    int place = -1;
-    int candidate = 0;
-    float weight = 0.0;
-    float sum = 0.0; // of the weights up to this place
-    for (int ray = 0; ray < AO_RAYS; ++ray) {
-        float target = step * (float(ray) + shift);
-        while (sum <= target && place < TRACER_CANDIDATE_COUNT - 1) {
-            ++place;
-            candidate = tracer_candidate_in_place(place);
-            weight = dot(surface.normal, tracer_candidate(candidate));
-            sum += abs(weight);
+    for (int first = 0; first < AO_RAYS; first += kTogether) {
+        int places[kTogether];
+        for (int k = 0; k < kTogether; ++k)
+            places[k] = 0;
+        float sum = 0.0;
+        for (int i = 0; i < TRACER_CANDIDATE_COUNT - 1; ++i) {
+            sum += abs(dot(surface.normal, tracer_candidate(i)));
+            for (int k = 0; k < kTogether; ++k)
+                places[k] += step * (float(first + k) + shift) >= sum ? 1 : 0;
         }
-        if (!tracer_candidate_any_hit(candidate, weight >= 0.0, surface.position, surface.normal, AO_RADIUS))
-            ++free;
+        for (int k = 0; k < kTogether; ++k)
+            if (first + k < AO_RAYS &&
+                !tracer_candidate_any_hit(places[k], surface.position, surface.normal, AO_RADIUS))
+                ++free;
     }
     return free;
 }
 #else
-/// Cosine-distributed unit direction about the normal (Malley: a uniform disc, lifted).
+/// Cosine-distributed unit direction about the normal (Malley: a uniform disc, lifted), in the frame
+/// of Duff et al. 2017, Building an Orthonormal Basis, Revisited.
 vec3 cosine_direction(vec3 normal, vec2 u) {
+    float side = normal.z >= 0.0 ? 1.0 : -1.0;
+    float a = -1.0 / (side + normal.z);
+    float b = normal.x * normal.y * a;
+    vec3 tangent = vec3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x);
+    vec3 bitangent = vec3(b, side + normal.y * normal.y * a, -normal.y);
     float angle = 6.28318530718 * u.x;
-    float radius = sqrt(u.y);
-    vec3 helper = abs(normal.z) < 0.7 ? vec3(0.0, 0.0, 1.0) : vec3(1.0, 0.0, 0.0);
-    vec3 tangent = normalize(cross(helper, normal));
-    vec3 bitangent = cross(normal, tangent);
-    return normalize(radius * (cos(angle) * tangent + sin(angle) * bitangent) + sqrt(1.0 - u.y) * normal);
+    vec2 disc = sqrt(u.y) * vec2(cos(angle), sin(angle));
+    return disc.x * tangent + disc.y * bitangent + sqrt(1.0 - u.y) * normal;
 }
 
 int free_rays(ivec2 pixel, Surface surface) {

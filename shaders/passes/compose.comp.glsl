@@ -7,7 +7,7 @@
 // Host: FRAME_VIEW and FRAME_VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
 #include "shaders/common/surface.glsl"
 
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 2) uniform sampler2D gbuffer_base_color;
 layout(binding = 3) uniform sampler2D gbuffer_emission;
 layout(binding = 4) uniform sampler2D visibility;

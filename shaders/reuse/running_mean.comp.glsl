@@ -5,7 +5,7 @@
 // In:   value, R32F or RGBA32F
 // Out:  mean, of the same format MEAN_FORMAT, read and written
 // Host: count: frames including this one, 1 starts anew; picture_size
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D value;
 layout(MEAN_FORMAT, binding = 0) uniform image2D mean;
 uniform uint count;

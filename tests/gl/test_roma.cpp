@@ -29,8 +29,8 @@ void main() {
     float t_max = ray.direction.w;
     int map = ray.choice.x;
     bool forward = ray.choice.y != 0;
-    results[i] = vec4(tracer_candidate_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
-                      tracer_candidate_closest_hit(map, forward, point, normal, t_max),
+    results[i] = vec4(roma_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
+                      roma_closest_hit(map, forward, point, normal, t_max),
                       tracer_any_hit(point, normal, ray.direction.xyz, t_max) ? 1.0 : 0.0,
                       tracer_closest_hit(point, normal, ray.direction.xyz, t_max));
 }
@@ -157,8 +157,8 @@ TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
         ASSERT_EQ(results[i].y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
         const glm::vec3 direction(rays[i].direction);
         const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
-        const glm::vec3 candidate(tracer_->candidates()[static_cast<size_t>(stratum)]);
-        const bool along = gpu::roma_is_forward(direction, candidate);
+        const bool along =
+            gpu::roma_is_forward(maps_[static_cast<size_t>(stratum)].direction, direction);
         ASSERT_EQ(results[i].w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
         ASSERT_EQ(results[i].z != 0.0f, results[i].w >= 0.0f) << "ray " << i;
         hits += hit;

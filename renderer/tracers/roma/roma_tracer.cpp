@@ -88,15 +88,14 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
     const double offset = frame.settings.get(kRomaNormalOffset) *
                           enclosing_cell(bounds, grid.cell_size, side_);
     directions_.clear();
-    std::vector<glm::vec4> candidates = {glm::vec4(bounds.centre(), 0.0f)};
     for (const glm::dvec3& candidate : candidates_) {
         const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, candidate, side_);
         directions_.push_back(aligned_map(box, side_, grid, offset));
-        candidates.emplace_back(glm::vec3(candidate), 0.0f);
     }
-    int place = 0;
+    std::vector<glm::vec4> uniforms = {glm::vec4(bounds.centre(), 0.0f)};
     for (const int map : strata_along_curve(frame.settings.get(kRomaAngularResolution)))
-        candidates[static_cast<size_t>(1 + place++)].w = static_cast<float>(map);
+        uniforms.emplace_back(glm::vec3(candidates_[static_cast<size_t>(map)]),
+                              static_cast<float>(map));
     const auto upload = [](Buffer& buffer, const char* label, std::span<const std::byte> bytes) {
         if (buffer.bytes() != bytes.size())
             buffer = Buffer(label, bytes);
@@ -104,7 +103,7 @@ void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const
             buffer.upload(bytes);
     };
     upload(direction_buffer_, "roma directions", std::as_bytes(std::span(directions_)));
-    upload(candidate_buffer_, "roma candidates", std::as_bytes(std::span(candidates)));
+    upload(candidate_buffer_, "roma candidates", std::as_bytes(std::span(uniforms)));
 }
 
 void RomaTracer::resize_maps() {
@@ -129,7 +128,7 @@ bool RomaTracer::sample_candidates(const Settings& settings) const {
 void RomaTracer::bind() const {
     map_texture_.bind(4);
     direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
-    candidate_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 5);
+    candidate_buffer_.bind(GL_UNIFORM_BUFFER, 4);
 }
 
 std::vector<StructureBytes> RomaTracer::bytes() const {

@@ -83,7 +83,7 @@ private:
     std::vector<gpu::RomaDirection> directions_;
     ProgramSlot rotate_;
     Buffer direction_buffer_;   ///< std430 RomaDirection[]
-    Buffer candidate_buffer_;   ///< std430 RomaCandidates of roma_tracer.glsl
+    Buffer candidate_buffer_;   ///< std140 RomaCandidates of roma_tracer.glsl
     Texture map_texture_;
 };
 

@@ -96,10 +96,10 @@ SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 nor
 }
 
 /// Whether a direction points to the candidate's side, rather than to its opposite's.
-SHARED_FN bool roma_is_forward(vec3 direction, vec3 candidate) {
-    EXACT float cosine =
-        direction.x * candidate.x + direction.y * candidate.y + direction.z * candidate.z;
-    return cosine >= 0.0f;
+SHARED_FN bool roma_is_forward(RomaDirection map, vec3 direction) {
+    EXACT float along = direction.x * map.row_w.x + direction.y * map.row_w.y +
+                        direction.z * map.row_w.z;
+    return along >= 0.0f;
 }
 
 /// Distance in cells from the surface to where the ray enters the cell, not below 0.

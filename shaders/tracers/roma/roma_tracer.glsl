@@ -3,9 +3,9 @@
 // constant time. A ray is snapped to the candidate of its stratum, or the estimator chooses among
 // the candidates itself.
 //
-// Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss), and for
-//        candidates tracer_candidate,
-//        tracer_candidate_in_place, tracer_candidate_any_hit, tracer_candidate_closest_hit
+// Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss); for the
+//        candidate in a place of its order, turned to the side of the normal: tracer_candidate,
+//        tracer_candidate_any_hit, tracer_candidate_closest_hit
 // In:    aligned_maps and directions as rotate.comp.glsl has them
 // Host:  ROMA_ANGULAR_RESOLUTION, ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_LAYERS_PER_MAP
 #include "shaders/tracers/roma/concentric.h"
@@ -17,17 +17,14 @@
 
 layout(binding = 4) uniform usampler2DArray aligned_maps;
 layout(std430, binding = 4) readonly buffer RomaDirections { RomaDirection roma_directions[]; };
-layout(std430, binding = 5) readonly buffer RomaCandidates {
+layout(std140, binding = 4) uniform RomaCandidates {
     vec4 roma_centre; ///< of the scene, metres; w unused
-    /// xyz: unit direction of the candidate; w of the k-th: the candidate in the k-th place of an
-    /// order in which neighbours have similar directions.
-    vec4 roma_candidates[];
+    /// Candidates in an order in which neighbours have similar directions; xyz: unit direction, whose
+    /// opposite can be traced as well; w: the map.
+    vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
 };
 
-int tracer_candidate_in_place(int place) { return int(roma_candidates[place].w); }
-
-/// Unit direction of a candidate; its opposite can be traced as well.
-vec3 tracer_candidate(int index) { return roma_candidates[index].xyz; }
+vec3 tracer_candidate(int place) { return roma_candidates[place].xyz; }
 
 RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     precise vec3 relative = point - roma_centre.xyz;
@@ -46,7 +43,7 @@ void roma_column(int map, RomaSpan span, out uint words[ROMA_WORDS]) {
     }
 }
 
-bool tracer_candidate_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
+bool roma_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     RomaRay ray = roma_ray_in(map, forward, point, normal, t_max);
     if (ray.span.first > ray.span.last)
         return false;
@@ -58,7 +55,7 @@ bool tracer_candidate_any_hit(int map, bool forward, vec3 point, vec3 normal, fl
     return occupied != 0u;
 }
 
-float tracer_candidate_closest_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
+float roma_closest_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     RomaRay ray = roma_ray_in(map, forward, point, normal, t_max);
     if (ray.span.first > ray.span.last)
         return -1.0;
@@ -79,14 +76,25 @@ float tracer_candidate_closest_hit(int map, bool forward, vec3 point, vec3 norma
     return roma_hit_distance(cell, ray.surface, forward) * roma_directions[map].row_v.w;
 }
 
+bool tracer_candidate_any_hit(int place, vec3 point, vec3 normal, float t_max) {
+    int map = int(roma_candidates[place].w);
+    return roma_any_hit(map, roma_is_forward(roma_directions[map], normal), point, normal, t_max);
+}
+
+float tracer_candidate_closest_hit(int place, vec3 point, vec3 normal, float t_max) {
+    int map = int(roma_candidates[place].w);
+    bool forward = roma_is_forward(roma_directions[map], normal);
+    return roma_closest_hit(map, forward, point, normal, t_max);
+}
+
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
     int map = stratum_of_direction(direction, ROMA_ANGULAR_RESOLUTION);
-    bool forward = roma_is_forward(direction, tracer_candidate(map));
-    return tracer_candidate_any_hit(map, forward, point, normal, t_max);
+    bool forward = roma_is_forward(roma_directions[map], direction);
+    return roma_any_hit(map, forward, point, normal, t_max);
 }
 
 float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
     int map = stratum_of_direction(direction, ROMA_ANGULAR_RESOLUTION);
-    bool forward = roma_is_forward(direction, tracer_candidate(map));
-    return tracer_candidate_closest_hit(map, forward, point, normal, t_max);
+    bool forward = roma_is_forward(roma_directions[map], direction);
+    return roma_closest_hit(map, forward, point, normal, t_max);
 }
