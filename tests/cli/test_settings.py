@@ -48,19 +48,21 @@ class Effective(CliTest):
         return tomllib.loads(self.succeed("render", "--print-config", *words).stdout)
 
     def test_defaults_technique_file_command_line(self):
-        self.write("file.toml", "[roma]\nsampling = 'candidates'\n[ao]\nrays = 3\n")
-        self.write("later.toml", "ao.rays = 5\n")
-        steps = [((), "candidates", 1),
-                 (("--technique", "roma-snap"), "snap", 1),
+        self.write("file.toml", "[roma]\nsampling = 'candidates'\n[lit]\nsun_strength = 3\n")
+        self.write("later.toml", "lit.sun_strength = 5\n")
+        usual = self.config()["lit"]["sun_strength"]
+        steps = [((), "candidates", usual),
+                 (("--technique", "roma-snap"), "snap", usual),
                  (("--config", "file.toml"), "candidates", 3),
                  (("--config", "later.toml"), "candidates", 5),
-                 (("--set", "ao.rays=7", "--set", "ao.rays=8"), "candidates", 8)]
+                 (("--set", "lit.sun_strength=7", "--set", "lit.sun_strength=8"), "candidates", 8)]
         words = []
-        for added, sampling, rays in steps:
-            # Where a word stands on the command line does not matter.
-            words = [*added, *words] if added[:1] == ("--technique",) else [*words, *added]
+        for added, sampling, strength in steps:
+            words += added
             config = self.config(*words)
-            self.assertEqual((config["roma"]["sampling"], config["ao"]["rays"]), (sampling, rays))
+            self.assertEqual((config["roma"]["sampling"], config["lit"]["sun_strength"]),
+                             (sampling, strength))
+        # Where a word stands on the command line does not matter.
         self.assertEqual(self.config("--set", "roma.sampling=candidates", "--technique",
                                      "roma-snap")["roma"]["sampling"], "candidates")
 

@@ -1,0 +1,23 @@
+# Every picture test, one line each. EGL and OSMesa of one Mesa give the same bytes, so tolerances
+# are for other Mesa versions and GPUs, which round sums in another order.
+set(surface "a pixel at an edge may fall to the neighbouring triangle on another rasteriser")
+set(rays "a ray that grazes a cell may go the other way, which is 8 to 71 steps (1 of a pixel's 16, in sRGB)")
+
+picture_test(hall_nave_base_color ARGS hall --camera nave --size 160x90 --set frame.view=base_color MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(hall_nave_normal ARGS hall --camera nave --size 160x90 --set frame.view=normal MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(hall_nave_lit ARGS hall --camera nave --size 160x90 --frames 8 --set frame.view=lit --set frame.antialias=true MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_nave_ao ARGS hall --camera nave --size 160x90 --frames 16 --set ao.rays=1 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_stairs_ao ARGS hall --camera stairs --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_gallery_ao ARGS hall --camera gallery --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_nave_ao_snap ARGS hall --camera nave --size 160x90 --frames 4 --technique roma-snap MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_stairs_ao_64_directions ARGS hall --camera stairs --size 160x90 --frames 4 --set roma.angular_resolution=8 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_stairs_lit ARGS hall --camera stairs --size 160x90 --frames 4 --set frame.view=lit MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_front_base_color ARGS cornell --camera front --size 160x90 --set frame.view=base_color MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(cornell_partition_normal ARGS cornell --camera partition --size 160x90 --set frame.view=normal MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(cornell_front_lit ARGS cornell --camera front --size 160x90 --frames 4 --set frame.view=lit MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_front_ao ARGS cornell --camera front --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_corner_ao ARGS cornell --camera corner --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_partition_ao ARGS cornell --camera partition --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_front_ao_near ARGS cornell --camera front --size 160x90 --frames 4 --set ao.radius=0.3 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_front_ao_32_cells ARGS cornell --camera front --size 160x90 --frames 4 --set occupancy.resolution=32 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_partition_ao_256_cells ARGS cornell --camera partition --size 160x90 --frames 4 --set occupancy.resolution=256 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
