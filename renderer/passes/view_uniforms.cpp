@@ -6,15 +6,15 @@
 namespace romascope {
 
 void View::set_uniforms(const Program& program) const {
-    const float half_height = std::tan(0.5f * camera.vertical_fov);
-    const float half_width =
-        half_height * static_cast<float>(size.x) / static_cast<float>(size.y);
+    const float step = 2.0f * std::tan(0.5f * camera.vertical_fov) / static_cast<float>(size.y);
+    const glm::vec3 step_x = step * camera.right();
+    const glm::vec3 step_y = -step * camera.up;
+    const glm::vec2 first = 0.5f + offset - 0.5f * glm::vec2(size);
     program.set("eye", camera.eye);
-    program.set("view_forward", camera.forward);
-    program.set("view_right", camera.right() * half_width);
-    program.set("view_down", -camera.up * half_height);
+    program.set("view_corner", camera.forward + first.x * step_x + first.y * step_y);
+    program.set("view_step_x", step_x);
+    program.set("view_step_y", step_y);
     program.set("near_plane", near_plane);
-    program.set("picture_offset", offset);
     program.set("picture_size", size);
 }
 

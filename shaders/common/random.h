@@ -13,9 +13,9 @@ SHARED_FN uint pcg_hash(uint x) {
     return (word >> 22) ^ word;
 }
 
-/// A hash of a pixel, a seed and a dimension.
-SHARED_FN uint pixel_hash(uvec2 pixel, uint seed, uint dimension) {
-    return pcg_hash(pixel.x + pcg_hash(pixel.y + pcg_hash(seed + pcg_hash(dimension))));
+/// A hash of a pixel and a key, such as a hashed seed. Further numbers of the pixel: hash it again.
+SHARED_FN uint pixel_hash(uvec2 pixel, uint key) {
+    return pcg_hash(pixel.x + pcg_hash(pixel.y + key));
 }
 
 /// The upper 24 bits as a float in [0, 1).

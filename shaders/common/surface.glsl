@@ -2,19 +2,17 @@
 // The visible surface at a pixel, from the G-buffer.
 //
 // In:   gbuffer_depth (reversed, infinite far plane: 0 is the background), gbuffer_normal
-// Host: uniforms eye, view_forward, view_right, view_down: the direction through the picture at
-//       (x, y) in [-1, 1]^2, y down, is forward + x right + y down; near_plane; picture_offset:
-//       sub-pixel jitter in pixels
+// Host: uniforms eye; view_corner, view_step_x, view_step_y: the direction through the centre of
+//       pixel (x, y) is corner + x step_x + y step_y, one unit deep; near_plane; picture_size
 #include "shaders/common/octahedral.glsl"
 
 layout(binding = 0) uniform sampler2D gbuffer_depth;
 layout(binding = 1) uniform usampler2D gbuffer_normal;
 uniform vec3 eye;
-uniform vec3 view_forward;
-uniform vec3 view_right;
-uniform vec3 view_down;
+uniform vec3 view_corner;
+uniform vec3 view_step_x;
+uniform vec3 view_step_y;
 uniform float near_plane;
-uniform vec2 picture_offset;
 uniform ivec2 picture_size;
 
 struct Surface {
@@ -24,8 +22,7 @@ struct Surface {
 };
 
 vec3 view_ray(ivec2 pixel) {
-    vec2 place = (vec2(pixel) + 0.5 + picture_offset) / vec2(picture_size) * 2.0 - 1.0;
-    return view_forward + place.x * view_right + place.y * view_down;
+    return view_corner + float(pixel.x) * view_step_x + float(pixel.y) * view_step_y;
 }
 
 Surface surface_at(ivec2 pixel) {

@@ -4,14 +4,14 @@
 //
 // In:   the G-buffer; "tracer.glsl", chosen by the host
 // Out:  visibility, R32F, one value in [0, 1] per pixel and frame
-// Host: AO_RADIUS in metres, may be infinite; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; seed and frame
+// Host: AO_RADIUS in metres, may be infinite; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
 #include "tracer.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(r32f, binding = 0) writeonly uniform image2D visibility;
-uniform uint seed;
+uniform uint seed_key;
 uniform uint frame;
 
 #if SAMPLE_CANDIDATES
@@ -27,7 +27,7 @@ int free_rays(ivec2 pixel, Surface surface) {
     for (int i = 0; i < TRACER_CANDIDATE_COUNT; ++i)
         total += abs(dot(surface.normal, tracer_candidate(i)));
     float step = total / float(AO_RAYS);
-    float shift = unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed, 0u)));
+    float shift = unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed_key)));
     int free = 0;
     for (int first = 0; first < AO_RAYS; first += kTogether) {
         int places[kTogether];
@@ -61,7 +61,8 @@ vec3 cosine_direction(vec3 normal, vec2 u) {
 }
 
 int free_rays(ivec2 pixel, Surface surface) {
-    uvec2 shift = uvec2(pixel_hash(uvec2(pixel), seed, 0u), pixel_hash(uvec2(pixel), seed, 1u));
+    uint first = pixel_hash(uvec2(pixel), seed_key);
+    uvec2 shift = uvec2(first, pcg_hash(first));
     int free = 0;
     for (int i = 0; i < AO_RAYS; ++i) {
         uvec2 u = r2_sequence(frame * uint(AO_RAYS) + uint(i), shift);

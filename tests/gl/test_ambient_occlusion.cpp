@@ -77,9 +77,9 @@ TEST_F(AmbientOcclusionTest, AWallIsSeenAsTheReferenceSeesIt) {
         for (const RomaSampling sampling : {RomaSampling::candidates, RomaSampling::snap}) {
             settings_.set(kRomaSampling, sampling);
             // A wall of one sheet is where the rotation loses cells, so rays: a tenth of those that
-            // should meet it may pass. Of 16 frames with 16 directions each, the mean of the
-            // visible half varies by 0.03.
-            EXPECT_NEAR(mean(render(scene, camera, 16)), truth, 0.03 + 0.1 * (1 - truth))
+            // should meet it may pass. All pixels share the 16 directions of a frame, whose mean has
+            // a standard deviation of about 0.06 here, 0.015 after 16 frames; three of those.
+            EXPECT_NEAR(mean(render(scene, camera, 16)), truth, 0.045 + 0.1 * (1 - truth))
                 << distance << " m from the wall";
         }
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
 
+#include "shaders/common/random.h"
+
 namespace romascope {
 
 std::vector<const KnobBase*> ambient_occlusion_knobs() { return {&kAoRadius, &kAoRays}; }
@@ -26,7 +28,7 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
     auto pass = frame.timer.compute("ambient occlusion");
     program.use();
     view.set_uniforms(program);
-    program.set("seed", frame.seed);
+    program.set("seed_key", gpu::pcg_hash(frame.seed));
     program.set("frame", frame.frame);
     gbuffer.bind_surface();
     tracer.bind();

@@ -63,7 +63,7 @@ std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t see
             glm::dvec2 place(0.5);
             if (jitter) {
                 const auto index = static_cast<uint32_t>(directions.size());
-                const uint32_t x = gpu::pixel_hash({index, frame}, seed, 0x726f6d61u);
+                const uint32_t x = gpu::pixel_hash({index, frame}, gpu::pcg_hash(seed));
                 place = {gpu::unit_float(x), gpu::unit_float(gpu::pcg_hash(x))};
             }
             directions.push_back(
