@@ -24,8 +24,10 @@ if readelf -d "$moved/bin/romascope" | grep -iE 'r(un)?path' | grep -qvF '[$ORIG
 fi
 
 # A namespace of its own hides the sources and the build; without the right to one, go on without.
+user=(--map-root-user)
+[ "$(id -u)" -ne 0 ] || user=()
 # shellcheck disable=SC2016
-hidden=(unshare --mount --map-root-user sh -c 'mount -t tmpfs none "$0" && exec "$@"' "$root")
+hidden=(unshare --mount "${user[@]}" sh -c 'mount -t tmpfs none "$0" && exec "$@"' "$root")
 if ! "${hidden[@]}" true 2>/dev/null; then
     hidden=()
     echo "bundle: mount namespaces are not allowed here; the sources stay visible to the check"
