@@ -15,7 +15,9 @@ uniform uint seed_key;
 uniform uint frame;
 
 #if SAMPLE_CANDIDATES
-const int kTogether = min(AO_RAYS, 4); // rays whose candidates are looked for in one go
+int is_free(int place, Surface surface) {
+    return tracer_candidate_any_hit(place, surface.position, surface.normal, AO_RADIUS) ? 0 : 1;
+}
 
 /// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
 /// the side of the normal: unbiased for the set of candidates, and exactly 1 on an open plane.
@@ -29,20 +31,22 @@ int free_rays(ivec2 pixel, Surface surface) {
     float step = total / float(AO_RAYS);
     float shift = unit_float(van_der_corput(frame, pixel_hash(uvec2(pixel), seed_key)));
     int free = 0;
-    for (int first = 0; first < AO_RAYS; first += kTogether) {
-        int places[kTogether];
-        for (int k = 0; k < kTogether; ++k)
-            places[k] = 0;
+    // The candidates of four rays are looked for in one go.
+    for (int first = 0; first < AO_RAYS; first += 4) {
+        vec4 targets = step * (vec4(first, first + 1, first + 2, first + 3) + shift);
+        ivec4 places = ivec4(0);
         float sum = 0.0;
         for (int i = 0; i < TRACER_CANDIDATE_COUNT - 1; ++i) {
             sum += abs(dot(surface.normal, tracer_candidate(i)));
-            for (int k = 0; k < kTogether; ++k)
-                places[k] += step * (float(first + k) + shift) >= sum ? 1 : 0;
+            places += ivec4(greaterThanEqual(targets, vec4(sum)));
         }
-        for (int k = 0; k < kTogether; ++k)
-            if (first + k < AO_RAYS &&
-                !tracer_candidate_any_hit(places[k], surface.position, surface.normal, AO_RADIUS))
-                ++free;
+        free += is_free(places.x, surface);
+        if (first + 1 < AO_RAYS)
+            free += is_free(places.y, surface);
+        if (first + 2 < AO_RAYS)
+            free += is_free(places.z, surface);
+        if (first + 3 < AO_RAYS)
+            free += is_free(places.w, surface);
     }
     return free;
 }

@@ -16,6 +16,10 @@ namespace romascope::gpu {
 /// enough for 256 cells times the square root of 3.
 const int kRomaFractionBits = 20;
 
+/// From here on a distance has no end. Tested with a comparison that a compiler can decide where
+/// the distance is a constant; then nothing is spent on it.
+const float kRomaUnbounded = 3.0e38f;
+
 /// One aligned map. Laid out for std430.
 struct RomaDirection {
     vec4 row_u; ///< xyz: aligned u = side / 2 + dot(row_u.xyz, point - centre), per metre
@@ -62,15 +66,22 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     float limit = float(side);
     // Clamped before they become integers, which infinities and far points could not.
     int from = int(floor(clamp(start.z, -1.0f, limit)));
-    EXACT float end = forward ? surface + reach : surface - reach;
-    end = clamp(end, -1.0f, limit + 1.0f);
     span.column = ivec2(int(floor(clamp(start.x, -1.0f, limit))),
                         int(floor(clamp(start.y, -1.0f, limit))));
-    span.first = max(forward ? from : int(floor(end)), 0);
-    span.last = min(forward ? int(ceil(end)) - 1 : from, side - 1);
-    bool outside = span.column.x < 0 || span.column.y < 0 || span.column.x >= side ||
-                   span.column.y >= side;
-    if (outside)
+    span.first = forward ? from : 0;
+    span.last = forward ? side - 1 : from;
+    if (reach < kRomaUnbounded) {
+        EXACT float end = forward ? surface + reach : surface - reach;
+        end = clamp(end, -1.0f, limit + 1.0f);
+        if (forward)
+            span.last = min(int(ceil(end)) - 1, side - 1);
+        else
+            span.first = max(int(floor(end)), 0);
+    }
+    span.first = max(span.first, 0);
+    span.last = min(span.last, side - 1);
+    // As unsigned numbers, those below 0 are beyond the end as well.
+    if (uint(span.column.x) >= uint(side) || uint(span.column.y) >= uint(side))
         span.last = span.first - 1;
     return span;
 }
@@ -87,7 +98,7 @@ struct RomaRay {
 SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 normal, float t_max,
                            int side) {
     EXACT vec3 moved = point + normal * map.row_w.w;
-    EXACT float reach = t_max * map.row_u.w;
+    EXACT float reach = t_max < kRomaUnbounded ? t_max * map.row_u.w : t_max;
     RomaRay ray;
     ray.surface = roma_aligned(map, point, side).z;
     ray.forward = forward;
