@@ -18,7 +18,11 @@ namespace romascope {
 struct BackendOptions {
     std::string backend = "auto";
     std::optional<int> egl_device;
+#ifdef NDEBUG
     bool debug = false;
+#else
+    bool debug = true; ///< GL errors by name wherever speed does not count
+#endif
     bool verbose = false;
 
     void add_to(CLI::App& command);

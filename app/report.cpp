@@ -71,12 +71,9 @@ std::string report_json(const ReportFacts& facts) {
         {"forward", vector(facts.camera.forward)},
         {"up", vector(facts.camera.up)},
         {"vertical_fov_degrees", facts.camera.vertical_fov * 180.0 / std::numbers::pi}};
-    json["driver"] = {{"backend", facts.backend},
-                      {"gl_version", facts.driver.version},
-                      {"glsl_version", facts.driver.glsl},
-                      {"vendor", facts.driver.vendor},
-                      {"renderer", facts.driver.renderer},
-                      {"software", facts.driver.software}};
+    json["driver"] = {{"backend", facts.backend},          {"gl_version", facts.driver.version},
+                      {"glsl_version", facts.driver.glsl}, {"vendor", facts.driver.vendor},
+                      {"renderer", facts.driver.renderer}, {"software", facts.driver.software}};
     json["clock"] = name_of(facts.clock);
     json["passes"] = passes_json(facts);
     json["bytes"] = Json::object();
@@ -94,14 +91,14 @@ std::string report_json(const ReportFacts& facts) {
 }
 
 std::string report_table(const ReportFacts& facts) {
-    std::string text = fmt::format("{:<20} {:>12} {:>12} {:>5}\n", "pass", "median ms", "p95 ms", "n");
+    std::string text =
+        fmt::format("{:<20} {:>12} {:>12} {:>5}\n", "pass", "median ms", "p95 ms", "n");
     for (const PassTiming& timing : facts.timings) {
         if (timing.milliseconds.empty())
             text += fmt::format("{:<20} {:>12} {:>12} {:>5}\n", timing.pass, "n/a", "n/a", 0);
         else
             text += fmt::format("{:<20} {:>12.4f} {:>12.4f} {:>5}{}\n", timing.pass,
-                                timing.median(), timing.percentile_95(),
-                                timing.milliseconds.size(),
+                                timing.median(), timing.percentile_95(), timing.milliseconds.size(),
                                 timing.rasterises ? "  rasterises" : "");
     }
     text += fmt::format("clock: {}; {}\n\n{:<20} {:>12}\n", name_of(facts.clock),
@@ -109,14 +106,15 @@ std::string report_table(const ReportFacts& facts) {
     for (const StructureBytes& structure : facts.bytes)
         text += fmt::format("{:<20} {:>12}\n", structure.name, structure.bytes);
     if (facts.errors)
-        text += fmt::format("\nagainst {} samples per pixel ({})\n{:<20} {:>12.6f}\n{:<20} {:>12.6f}\n"
-                            "{:<20} {:>12.6f}\n{:<20} {:>+12.6f}\n",
-                            facts.errors->samples,
-                            facts.errors->reference_from_cache
-                                ? "from the cache"
-                                : fmt::format("{:.1f} s", facts.errors->reference_seconds),
-                            "FLIP", facts.errors->flip, "RMSE", facts.errors->rmse, "MAE",
-                            facts.errors->mae, "signed bias", facts.errors->bias);
+        text +=
+            fmt::format("\nagainst {} samples per pixel ({})\n{:<20} {:>12.6f}\n{:<20} {:>12.6f}\n"
+                        "{:<20} {:>12.6f}\n{:<20} {:>+12.6f}\n",
+                        facts.errors->samples,
+                        facts.errors->reference_from_cache
+                            ? "from the cache"
+                            : fmt::format("{:.1f} s", facts.errors->reference_seconds),
+                        "FLIP", facts.errors->flip, "RMSE", facts.errors->rmse, "MAE",
+                        facts.errors->mae, "signed bias", facts.errors->bias);
     return text;
 }
 

@@ -66,12 +66,9 @@ void Pipeline::restart_on_change(const Settings& settings, const Camera& camera)
 
 void Pipeline::render(const Settings& settings, const Camera& camera) {
     restart_on_change(settings, camera);
-    const FrameContext frame{settings,
-                             shaders_,
-                             scene_,
-                             timer_,
-                             static_cast<uint32_t>(settings.get(kSeed)),
-                             mean_.count()};
+    const FrameContext frame{
+        settings,     shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)),
+        mean_.count()};
     View view;
     view.camera = camera;
     view.size = {settings.get(kWidth), settings.get(kHeight)};

@@ -24,21 +24,29 @@ inline const Knob<bool> kAntialias{
     false};
 inline const Knob<int> kWidth{
     {.key = "render.width", .unit = "pixels", .help = "Width of the picture.", .source = "720p"},
-    1280, 1, 16384};
+    1280,
+    1,
+    16384};
 inline const Knob<int> kHeight{
     {.key = "render.height", .unit = "pixels", .help = "Height of the picture.", .source = "720p"},
-    720, 1, 16384};
+    720,
+    1,
+    16384};
 inline const Knob<int> kFrames{{.key = "render.frames",
                                 .unit = "frames",
                                 .help = "Frames that are accumulated into the picture.",
                                 .source = "one frame is what a method costs"},
-                               1, 1, 1000000};
+                               1,
+                               1,
+                               1000000};
 inline const Knob<int64_t> kSeed{
     {.key = "render.seed",
      .unit = "",
      .help = "Seed of every random choice: the same seed gives the same picture.",
      .source = "any number will do"},
-    0, 0, 4294967295};
+    0,
+    0,
+    4294967295};
 inline const Knob<std::string> kCamera{
     {.key = "render.camera",
      .unit = "",

@@ -26,8 +26,8 @@ const char* yes_no(int has) { return has ? "yes" : "no"; }
 } // namespace
 
 DriverFacts query_driver() {
-    DriverFacts facts{text_of(GL_VERSION), text_of(GL_SHADING_LANGUAGE_VERSION),
-                      text_of(GL_VENDOR), text_of(GL_RENDERER)};
+    DriverFacts facts{text_of(GL_VERSION), text_of(GL_SHADING_LANGUAGE_VERSION), text_of(GL_VENDOR),
+                      text_of(GL_RENDERER)};
     facts.software = is_software_renderer(facts.renderer);
     GLint timestamp_bits = 0;
     glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &timestamp_bits);

@@ -30,18 +30,20 @@ void require_version() {
         return;
     GLint count = 0;
     glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    std::vector<std::string> missing = {
-        "ARB_compute_shader", "ARB_shader_image_load_store", "ARB_shader_storage_buffer_object",
-        "ARB_framebuffer_no_attachments", "ARB_buffer_storage", "ARB_clip_control",
-        "ARB_direct_state_access"};
+    std::vector<std::string> missing = {"ARB_compute_shader",
+                                        "ARB_shader_image_load_store",
+                                        "ARB_shader_storage_buffer_object",
+                                        "ARB_framebuffer_no_attachments",
+                                        "ARB_buffer_storage",
+                                        "ARB_clip_control",
+                                        "ARB_direct_state_access"};
     for (GLint i = 0; i < count; ++i) {
         const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
         std::erase(missing, reinterpret_cast<const char*>(extension) + 3);
     }
-    throw Error(fmt::format("OpenGL 4.5 core is needed, the driver offers {}{}", renderer_line(),
-                            missing.empty()
-                                ? ""
-                                : fmt::format(" and lacks {}", fmt::join(missing, ", "))));
+    throw Error(
+        fmt::format("OpenGL 4.5 core is needed, the driver offers {}{}", renderer_line(),
+                    missing.empty() ? "" : fmt::format(" and lacks {}", fmt::join(missing, ", "))));
 }
 
 /// A way to get a context, in the order in which `automatic` tries them.
@@ -69,14 +71,13 @@ void add_egl(std::vector<Candidate>& list, std::vector<std::string>& refusals) {
     const auto add_devices = [&](bool software) {
         for (size_t i = 0; i < devices.size(); ++i)
             if (devices[i].software == software)
-                list.push_back({fmt::format("egl device {} ({})", i, devices[i].label),
-                                [i](bool debug) {
-                                    return create_egl_context(static_cast<int>(i), debug);
-                                }});
+                list.push_back(
+                    {fmt::format("egl device {} ({})", i, devices[i].label),
+                     [i](bool debug) { return create_egl_context(static_cast<int>(i), debug); }});
     };
     add_devices(false);
-    list.push_back({"egl surfaceless",
-                    [](bool debug) { return create_egl_context(std::nullopt, debug); }});
+    list.push_back(
+        {"egl surfaceless", [](bool debug) { return create_egl_context(std::nullopt, debug); }});
     add_devices(true);
 }
 
@@ -110,9 +111,10 @@ std::unique_ptr<Context> context_of_device(int index, bool debug, std::string* s
     require_version();
     const std::string renderer = gl_string(GL_RENDERER);
     if (is_software_renderer(renderer) && !devices[static_cast<size_t>(index)].software)
-        throw Error(fmt::format("EGL device {} ({}) was asked for, but its driver gave the software "
-                                "renderer {}: is the vendor's library installed?",
-                                index, devices[static_cast<size_t>(index)].label, renderer));
+        throw Error(
+            fmt::format("EGL device {} ({}) was asked for, but its driver gave the software "
+                        "renderer {}: is the vendor's library installed?",
+                        index, devices[static_cast<size_t>(index)].label, renderer));
     if (story)
         *story = fmt::format("using {}, as asked: {}", context->description(), renderer_line());
     return context;
@@ -131,9 +133,9 @@ Backend backend_from_name(std::string_view name) {
     const auto& names = backend_names();
     const auto found = std::find(names.begin(), names.end(), name);
     if (found == names.end())
-        throw Error(fmt::format("unknown backend '{}': choose one of {}", name,
-                                fmt::join(names, ", ")),
-                    kBadInput);
+        throw Error(
+            fmt::format("unknown backend '{}': choose one of {}", name, fmt::join(names, ", ")),
+            kBadInput);
     return static_cast<Backend>(found - names.begin());
 }
 

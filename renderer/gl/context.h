@@ -52,11 +52,12 @@ protected:
 /// Throws Error if none works or the version is below 4.5, naming what each lacks, and Error
 /// (kBadInput) for a device that does not exist. If a device was asked for by its number and that
 /// device is not a software renderer, a software renderer is an error.
-std::unique_ptr<Context> create_context(const ContextRequest& request, std::string* story = nullptr);
+std::unique_ptr<Context> create_context(const ContextRequest& request,
+                                        std::string* story = nullptr);
 
 /// What a backend offers, found by trying it.
 struct BackendState {
-    std::string name;   ///< e.g. "egl device 1"
+    std::string name; ///< e.g. "egl device 1"
     bool usable = false;
     std::string detail; ///< renderer and version, or the reason why it cannot be used
 };

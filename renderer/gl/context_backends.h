@@ -8,8 +8,8 @@
 
 namespace romascope {
 
-/// Versions to ask for, best first. The last one is too old; it is asked for only so that the refusal
-/// can name what the driver lacks.
+/// Versions to ask for, best first. The last one is too old; it is asked for only so that the
+/// refusal can name what the driver lacks.
 inline constexpr std::pair<int, int> kGlVersions[] = {{4, 6}, {4, 5}, {3, 2}};
 
 struct EglDevice {

@@ -34,8 +34,8 @@ struct Egl {
         return contains(query_string(EGL_NO_DISPLAY, EGL_EXTENSIONS), name);
     }
     static bool contains(const char* list, std::string_view name) {
-        return list && fmt::format(" {} ", list).find(fmt::format(" {} ", name)) !=
-                           std::string::npos;
+        return list &&
+               fmt::format(" {} ", list).find(fmt::format(" {} ", name)) != std::string::npos;
     }
 };
 
@@ -139,8 +139,7 @@ private:
             const auto handles = device_handles(egl_);
             EGLDeviceEXT handle = handles.at(static_cast<size_t>(*device));
             display_ = egl_.get_platform_display(EGL_PLATFORM_DEVICE_EXT, handle, nullptr);
-            description_ =
-                fmt::format("EGL device {} ({})", *device, describe(egl_, handle).label);
+            description_ = fmt::format("EGL device {} ({})", *device, describe(egl_, handle).label);
         } else {
             if (!egl_.client_extension("EGL_MESA_platform_surfaceless"))
                 throw Error("EGL_MESA_platform_surfaceless is missing");
@@ -180,8 +179,8 @@ private:
                 break;
         }
         if (context_ == EGL_NO_CONTEXT)
-            throw Error(fmt::format("it gives no OpenGL 4.5 core context ({:#x})",
-                                    egl_.get_error()));
+            throw Error(
+                fmt::format("it gives no OpenGL 4.5 core context ({:#x})", egl_.get_error()));
         const auto fail = [&](const char* why) {
             egl_.make_current(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             egl_.destroy_context(display_, context_);

@@ -47,7 +47,8 @@ public:
     OsmesaProc (*get_proc_address)(const char* name) = nullptr;
 
 private:
-    template <class Function> void load(const char* name, Function& function) {
+    template <class Function>
+    void load(const char* name, Function& function) {
         function = reinterpret_cast<Function>(dlsym(handle_, name));
         if (!function)
             throw Error(fmt::format("libOSMesa lacks {}", name));
@@ -60,10 +61,18 @@ public:
     explicit OsmesaContextOwner() {
         // OSMesa knows no debug flag for contexts; KHR_debug works on a plain one.
         for (const auto& [major, minor] : kGlVersions) {
-            const int attributes[] = {kOsmesaFormat,       GL_RGBA, kOsmesaDepthBits,    0,
-                                      kOsmesaProfile,      kOsmesaCoreProfile,
-                                      kOsmesaMajorVersion, major,   kOsmesaMinorVersion, minor,
-                                      0,                   0};
+            const int attributes[] = {kOsmesaFormat,
+                                      GL_RGBA,
+                                      kOsmesaDepthBits,
+                                      0,
+                                      kOsmesaProfile,
+                                      kOsmesaCoreProfile,
+                                      kOsmesaMajorVersion,
+                                      major,
+                                      kOsmesaMinorVersion,
+                                      minor,
+                                      0,
+                                      0};
             context_ = library_.create_context(attributes, nullptr);
             if (context_)
                 break;

@@ -132,14 +132,12 @@ void Texture::clear_uint(GLuint value) {
     glClearTexImage(id(), 0, layout, GL_UNSIGNED_INT, texel);
 }
 
-void Texture::clear_float(glm::vec4 value) {
-    glClearTexImage(id(), 0, GL_RGBA, GL_FLOAT, &value);
-}
+void Texture::clear_float(glm::vec4 value) { glClearTexImage(id(), 0, GL_RGBA, GL_FLOAT, &value); }
 
 std::vector<float> Texture::download_float(int components) const {
     const GLenum layouts[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
-    const GLenum layout = format_ == GL_DEPTH_COMPONENT32F ? GLenum{GL_DEPTH_COMPONENT}
-                                                           : layouts[components - 1];
+    const GLenum layout =
+        format_ == GL_DEPTH_COMPONENT32F ? GLenum{GL_DEPTH_COMPONENT} : layouts[components - 1];
     std::vector<float> data(static_cast<size_t>(size_.x) * size_.y * size_.z * components);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     glPixelStorei(GL_PACK_ALIGNMENT, 1);

@@ -16,7 +16,8 @@
 namespace romascope {
 
 /// The id of one GL object and the function that deletes it.
-template <void (*Delete)(GLuint)> class GlHandle {
+template <void (*Delete)(GLuint)>
+class GlHandle {
 public:
     GlHandle() = default;
     explicit GlHandle(GLuint id) : id_(id) {}
@@ -49,7 +50,8 @@ public:
     Buffer() = default;
     /// Zeroed.
     Buffer(const std::string& label, size_t bytes);
-    template <class T> static Buffer from(const std::string& label, std::span<const T> data) {
+    template <class T>
+    static Buffer from(const std::string& label, std::span<const T> data) {
         return Buffer(label, std::as_bytes(data));
     }
     Buffer(const std::string& label, std::span<const std::byte> data);
@@ -57,7 +59,8 @@ public:
     GLuint id() const { return handle_.id(); }
     size_t bytes() const { return bytes_; }
     void upload(std::span<const std::byte> data, size_t offset = 0);
-    template <class T> std::vector<T> download() const {
+    template <class T>
+    std::vector<T> download() const {
         std::vector<T> data(bytes_ / sizeof(T));
         download_bytes(std::as_writable_bytes(std::span(data)));
         return data;

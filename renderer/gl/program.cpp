@@ -59,14 +59,12 @@ Program::Program(const ShaderLibrary& library, const ShaderVariant& variant)
     GLint ok = 0;
     glGetProgramiv(id(), GL_LINK_STATUS, &ok);
     if (!ok)
-        throw Error(
-            fmt::format("shader '{}' does not link: {}", variant.name, log_of(id(), true)));
+        throw Error(fmt::format("shader '{}' does not link: {}", variant.name, log_of(id(), true)));
     for (const ShaderHandle& shader : shaders)
         glDetachShader(id(), shader.id());
     if (variant.stages.front().type == GL_COMPUTE_SHADER)
         glGetProgramiv(id(), GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(group_size_));
-    glObjectLabel(GL_PROGRAM, id(), static_cast<GLsizei>(variant.name.size()),
-                  variant.name.data());
+    glObjectLabel(GL_PROGRAM, id(), static_cast<GLsizei>(variant.name.size()), variant.name.data());
 }
 
 void Program::dispatch_covering(glm::ivec3 total) const {

@@ -21,23 +21,31 @@ inline const Knob<double> kSunStrength{{.key = "lit.sun_strength",
                                         .unit = "",
                                         .help = "Irradiance of the sun over pi in the lit view.",
                                         .source = "chosen by eye on the hall"},
-                                       1.1, 0.0, 100.0};
+                                       1.1,
+                                       0.0,
+                                       100.0};
 inline const Knob<double> kSkyStrength{{.key = "lit.sky_strength",
                                         .unit = "",
                                         .help = "Radiance of the sky in the lit view.",
                                         .source = "chosen by eye on the hall"},
-                                       0.9, 0.0, 100.0};
+                                       0.9,
+                                       0.0,
+                                       100.0};
 inline const Knob<double> kSunAzimuth{
     {.key = "lit.sun_azimuth",
      .unit = "degrees",
      .help = "Where the sun stands around the vertical, from +x towards +z.",
      .source = "chosen by eye on the hall"},
-    50.0, -360.0, 360.0};
+    50.0,
+    -360.0,
+    360.0};
 inline const Knob<double> kSunElevation{{.key = "lit.sun_elevation",
                                          .unit = "degrees",
                                          .help = "How high the sun stands above the horizon.",
                                          .source = "chosen by eye on the hall"},
-                                        50.0, -90.0, 90.0};
+                                        50.0,
+                                        -90.0,
+                                        90.0};
 
 /// Every knob of this folder.
 inline std::vector<const KnobBase*> compose_knobs() {

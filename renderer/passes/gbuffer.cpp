@@ -47,8 +47,8 @@ void GBuffer::draw(const FrameContext& frame, const View& view) {
     Camera at_origin = view.camera;
     at_origin.eye = glm::vec3(0.0f);
     program.set("eye", view.camera.eye);
-    program.set("view_projection", at_origin.projection(view.size, view.near_plane, view.offset) *
-                                       at_origin.view());
+    program.set("view_projection",
+                at_origin.projection(view.size, view.near_plane, view.offset) * at_origin.view());
     frame.scene.materials().bind(GL_SHADER_STORAGE_BUFFER, 0);
     frame.scene.draw();
     glDisable(GL_DEPTH_TEST);

@@ -25,7 +25,8 @@ GpuScene::GpuScene(const Scene& scene)
     GLuint id = 0;
     glCreateVertexArrays(1, &id);
     vertex_array_ = GlHandle<delete_vertex_array>(id);
-    const auto attribute = [id](GLuint index, const Buffer& buffer, GLint components, GLsizei stride) {
+    const auto attribute = [id](GLuint index, const Buffer& buffer, GLint components,
+                                GLsizei stride) {
         glVertexArrayVertexBuffer(id, index, buffer.id(), 0, stride);
         glEnableVertexArrayAttrib(id, index);
         glVertexArrayAttribBinding(id, index, index);

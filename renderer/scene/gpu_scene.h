@@ -13,7 +13,9 @@ public:
 
     /// Vertex attributes: 0 position, 1 normal, 2 material index.
     void draw() const;
-    const Buffer& materials() const { return materials_; } ///< std430: vec4 base colour, vec4 emission
+    const Buffer& materials() const {
+        return materials_;
+    } ///< std430: vec4 base colour, vec4 emission
     const Bounds& bounds() const { return bounds_; }
     size_t bytes() const;
 

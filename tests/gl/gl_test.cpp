@@ -55,8 +55,8 @@ Scene scene_of_triangles(const std::vector<glm::vec3>& corners) {
     scene.name = "test";
     scene.materials = {Material{}};
     for (size_t i = 0; i + 2 < corners.size(); i += 3) {
-        const glm::vec3 normal = glm::normalize(
-            glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]));
+        const glm::vec3 normal =
+            glm::normalize(glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]));
         for (size_t k = i; k < i + 3; ++k) {
             scene.indices.push_back(static_cast<uint32_t>(scene.positions.size()));
             scene.positions.push_back(corners[k]);
@@ -65,8 +65,8 @@ Scene scene_of_triangles(const std::vector<glm::vec3>& corners) {
             scene.bounds.add(corners[k]);
         }
     }
-    scene.cameras = {look_at("camera", scene.bounds.centre() + glm::vec3(0, 1, 3),
-                             scene.bounds.centre(), 1.0f)};
+    scene.cameras = {
+        look_at("camera", scene.bounds.centre() + glm::vec3(0, 1, 3), scene.bounds.centre(), 1.0f)};
     return scene;
 }
 

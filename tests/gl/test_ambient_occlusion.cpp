@@ -39,8 +39,8 @@ TEST_F(AmbientOcclusionTest, AnOpenPlaneIsExactlyOneByCandidates) {
         const glm::vec3 normal = i == 0 ? glm::vec3(0, 1, 0) : random_direction(random);
         const glm::vec3 centre = 10.0f * random_direction(random);
         const Scene scene = scene_of_triangles(rectangle(centre, normal, 3.0f));
-        const Camera camera =
-            look_at("above", centre + 2.0f * normal + 0.3f * random_direction(random), centre, 1.2f);
+        const Camera camera = look_at(
+            "above", centre + 2.0f * normal + 0.3f * random_direction(random), centre, 1.2f);
         settings_.set(kRomaAngularResolution, 2 + i % 7);
         settings_.set(kAoRays, 1 + i % 5);
         settings_.set(kSeed, i);
@@ -77,8 +77,8 @@ TEST_F(AmbientOcclusionTest, AWallIsSeenAsTheReferenceSeesIt) {
         for (const RomaSampling sampling : {RomaSampling::candidates, RomaSampling::snap}) {
             settings_.set(kRomaSampling, sampling);
             // A wall of one sheet is where the rotation loses cells, so rays: a tenth of those that
-            // should meet it may pass. All pixels share the 16 directions of a frame, whose mean has
-            // a standard deviation of about 0.06 here, 0.007 after 64 frames; three of those.
+            // should meet it may pass. All pixels share the 16 directions of a frame, whose mean
+            // has a standard deviation of about 0.06 here, 0.007 after 64 frames; three of those.
             EXPECT_NEAR(mean(render(scene, camera, 64)), truth, 0.02 + 0.1 * (1 - truth))
                 << distance << " m from the wall";
         }

@@ -71,8 +71,7 @@ TEST_F(ObjectsTest, ShaderErrorsNameFileAndLine) {
     shaders_.add("outer.glsl", "// one\n#include \"inner.glsl\"\nvoid main() {}\n");
     shaders_.add("inner.glsl", "float fine;\n\nfloat broken = nonsense;\n");
     try {
-        const Program program(shaders_,
-                              {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
+        const Program program(shaders_, {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
         FAIL() << "it compiled";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("inner.glsl:3"), std::string::npos)
@@ -85,8 +84,7 @@ TEST_F(ObjectsTest, LinesAfterAnIncludeKeepTheirNumber) {
     shaders_.add("outer.glsl", "\n#include \"inner.glsl\"\nfloat broken = nonsense;\n");
     shaders_.add("inner.glsl", "float a;\nfloat b;\nfloat c;\n");
     try {
-        const Program program(shaders_,
-                              {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
+        const Program program(shaders_, {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
         FAIL() << "it compiled";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("outer.glsl:3"), std::string::npos)
@@ -98,8 +96,7 @@ TEST_F(ObjectsTest, LinesAfterAnIncludeKeepTheirNumber) {
 TEST_F(ObjectsTest, MissingIncludeNamesTheIncludingLine) {
     shaders_.add("outer.glsl", "\n#include \"nowhere.glsl\"\n");
     try {
-        const Program program(shaders_,
-                              {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
+        const Program program(shaders_, {"broken", {{GL_COMPUTE_SHADER, "outer.glsl"}}, {}, {}});
         FAIL() << "it compiled";
     } catch (const Error& error) {
         EXPECT_NE(std::string(error.what()).find("outer.glsl:2"), std::string::npos);
@@ -123,9 +120,7 @@ TEST_F(ObjectsTest, TimerCountsEveryPass) {
         auto pass = timer_->compute("work");
         glFinish();
     }
-    {
-        auto pass = timer_->raster("drawing");
-    }
+    { auto pass = timer_->raster("drawing"); }
     timer_->finish();
     ASSERT_EQ(timer_->timings().size(), 2u);
     EXPECT_EQ(timer_->timings()[0].pass, "work");

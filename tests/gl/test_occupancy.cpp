@@ -15,7 +15,7 @@ constexpr double kSlack = 1.0 / 128.0;
 /// Three-axis sampling at cell centres in double precision: what each cell of the grid is, and
 /// whether moving the centre by kSlack would change it.
 struct SampledGrid {
-    BitGrid certain; ///< set wherever the centre may move
+    BitGrid certain;  ///< set wherever the centre may move
     BitGrid possible; ///< set for some place of the centre
 };
 
@@ -29,8 +29,8 @@ struct Depths {
 };
 
 Depths depths_at(const Triangle& t, int u, int v, int w, double x, double y) {
-    const double area = (t[1][u] - t[0][u]) * (t[2][v] - t[0][v]) -
-                        (t[1][v] - t[0][v]) * (t[2][u] - t[0][u]);
+    const double area =
+        (t[1][u] - t[0][u]) * (t[2][v] - t[0][v]) - (t[1][v] - t[0][v]) * (t[2][u] - t[0][u]);
     Depths depths;
     depths.touches = depths.inside = true;
     for (int i = 0; i < 3; ++i) {

@@ -78,7 +78,7 @@ protected:
         for (int i = 0; i < count; ++i) {
             const glm::vec3 place(unit(random_), unit(random_), unit(random_));
             const float diagonal = glm::length(bounds_.extent());
-            const float t_max = i % 4 == 0 ? std::numeric_limits<float>::infinity()
+            const float t_max = i % 4 == 0    ? std::numeric_limits<float>::infinity()
                                 : i % 17 == 0 ? 0.0f
                                               : diagonal * reach(random_) * reach(random_);
             rays.push_back({glm::vec4(bounds_.min + place * bounds_.extent(), 0.0f),
@@ -152,7 +152,8 @@ TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
     for (size_t i = 0; i < rays.size(); ++i) {
         const int map = rays[i].choice.x;
         const bool forward = rays[i].choice.y != 0;
-        const bool hit = any_hit_on_cpu(maps_[static_cast<size_t>(map)], on_cpu(rays[i], map, forward));
+        const bool hit =
+            any_hit_on_cpu(maps_[static_cast<size_t>(map)], on_cpu(rays[i], map, forward));
         ASSERT_EQ(results[i].x != 0.0f, hit) << "ray " << i;
         ASSERT_EQ(results[i].y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
         const glm::vec3 direction(rays[i].direction);
@@ -220,9 +221,8 @@ TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
         const bool forward = ray.choice.y != 0;
         bool ambiguous = false;
         const auto expected =
-            walk(base_, grid_, bounds_, tracer_->candidates()[static_cast<size_t>(map)],
-                 forward, GetParam().side, offset, ray.point, ray.normal,
-                 ray.direction.w, ambiguous);
+            walk(base_, grid_, bounds_, tracer_->candidates()[static_cast<size_t>(map)], forward,
+                 GetParam().side, offset, ray.point, ray.normal, ray.direction.w, ambiguous);
         if (ambiguous)
             continue;
         const float distance = distance_on_cpu(ray, map, forward);
@@ -237,17 +237,15 @@ TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     EXPECT_GT(hits, compared / 20);
 }
 
-INSTANTIATE_TEST_SUITE_P(Grids, RomaCases,
-                         testing::Values(Case{{32, 32, 32}, 32, 4, 0.08},
-                                         Case{{33, 20, 7}, 33, 3, 0.2},
-                                         Case{{64, 40, 64}, 64, 2, 0.04},
-                                         Case{{50, 100, 31}, 100, 4, 0.04},
-                                         Case{{128, 90, 60}, 128, 2, 0.03},
-                                         Case{{129, 16, 32}, 129, 2, 0.06},
-                                         Case{{256, 64, 100}, 256, 2, 0.02}),
-                         [](const testing::TestParamInfo<Case>& chosen) {
-                             return "side" + std::to_string(chosen.param.side);
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Grids, RomaCases,
+    testing::Values(Case{{32, 32, 32}, 32, 4, 0.08}, Case{{33, 20, 7}, 33, 3, 0.2},
+                    Case{{64, 40, 64}, 64, 2, 0.04}, Case{{50, 100, 31}, 100, 4, 0.04},
+                    Case{{128, 90, 60}, 128, 2, 0.03}, Case{{129, 16, 32}, 129, 2, 0.06},
+                    Case{{256, 64, 100}, 256, 2, 0.02}),
+    [](const testing::TestParamInfo<Case>& chosen) {
+        return "side" + std::to_string(chosen.param.side);
+    });
 
 TEST_F(RomaTest, TheSameSeedGivesTheSameMaps) {
     prepare({{40, 30, 20}, 40, 4, 0.05}, 5);

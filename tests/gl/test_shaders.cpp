@@ -71,9 +71,9 @@ TEST(ShaderSources, EveryFileIsUsedByAVariant) {
 
 TEST(ShaderSources, LogsNameFilesWhateverTheDriver) {
     const std::vector<std::string> files = {"a.glsl", "b.glsl"};
-    EXPECT_EQ(name_files_in_log("0:10012(3): error: x", files), "b.glsl:12: error: x"); // Mesa
+    EXPECT_EQ(name_files_in_log("0:10012(3): error: x", files), "b.glsl:12: error: x");  // Mesa
     EXPECT_EQ(name_files_in_log("0(7) : error C0000", files), "a.glsl:7 : error C0000"); // NVIDIA
-    EXPECT_EQ(name_files_in_log("ERROR: 0:10005: 'y'", files), "ERROR: b.glsl:5: 'y'"); // glslang
+    EXPECT_EQ(name_files_in_log("ERROR: 0:10005: 'y'", files), "ERROR: b.glsl:5: 'y'");  // glslang
     EXPECT_EQ(name_files_in_log("0:50005: z", files), "0:50005: z");
 }
 

@@ -60,7 +60,8 @@ TEST(Concentric, InvertsTheMappingOfTheSquare) {
         EXPECT_GE(direction.z, 0.0);
         const glm::vec2 back = gpu::square_from_hemisphere(glm::vec3(direction));
         // Next to the pole, float directions lose the radius: 1 - z has steps of 6e-8.
-        const double radius = std::max({std::abs(2 * place.x - 1), std::abs(2 * place.y - 1), 1e-3});
+        const double radius =
+            std::max({std::abs(2 * place.x - 1), std::abs(2 * place.y - 1), 1e-3});
         EXPECT_NEAR(back.x, 2 * place.x - 1, 1e-6 / radius);
         EXPECT_NEAR(back.y, 2 * place.y - 1, 1e-6 / radius);
     }
@@ -74,8 +75,8 @@ TEST(Concentric, StrataHaveEqualSolidAngles) {
         const int count = 4000 * strata;
         std::vector<int> hits(static_cast<size_t>(strata));
         for (int i = 0; i < count; ++i) {
-            const glm::dvec3 d = glm::normalize(
-                glm::dvec3(normal(random), normal(random), normal(random)));
+            const glm::dvec3 d =
+                glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
             ++hits[static_cast<size_t>(gpu::stratum_of_direction(glm::vec3(d), side))];
         }
         // Each count is binomial with mean 4000; five of its deviations.
@@ -103,9 +104,9 @@ TEST(Concentric, ACandidateLiesInItsOwnStratum) {
 }
 
 TEST(Concentric, EveryUnitDirectionHasAStratum) {
-    for (const glm::vec3 d : {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(1, 0, 0),
-                              glm::vec3(-1, 0, 0), glm::vec3(0, 1, 0), glm::vec3(0, -1, 0),
-                              glm::vec3(0.70710677f, 0.70710677f, 0)})
+    for (const glm::vec3 d :
+         {glm::vec3(0, 0, 1), glm::vec3(0, 0, -1), glm::vec3(1, 0, 0), glm::vec3(-1, 0, 0),
+          glm::vec3(0, 1, 0), glm::vec3(0, -1, 0), glm::vec3(0.70710677f, 0.70710677f, 0)})
         for (const int side : {2, 5, 16}) {
             EXPECT_GE(gpu::stratum_of_direction(d, side), 0);
             EXPECT_LT(gpu::stratum_of_direction(d, side), side * side);
@@ -159,9 +160,9 @@ TEST(Span, WithoutLimitGoesToTheEnd) {
 }
 
 TEST(Span, ACellCountsIfItIsEnteredBeforeTheEnd) {
-    EXPECT_EQ(span(10.25f, 1.0f, true).last, 11);   // ends inside cell 11
-    EXPECT_EQ(span(10.25f, 0.75f, true).last, 10);  // ends as it would enter cell 11
-    EXPECT_EQ(span(10.25f, 0.5f, true).last, 10);   // does not leave its own cell
+    EXPECT_EQ(span(10.25f, 1.0f, true).last, 11);  // ends inside cell 11
+    EXPECT_EQ(span(10.25f, 0.75f, true).last, 10); // ends as it would enter cell 11
+    EXPECT_EQ(span(10.25f, 0.5f, true).last, 10);  // does not leave its own cell
     EXPECT_EQ(span(10.75f, 1.0f, false).first, 9);
     EXPECT_EQ(span(10.75f, 0.75f, false).first, 10);
     EXPECT_EQ(span(10.75f, 0.5f, false).first, 10);
@@ -185,9 +186,9 @@ TEST(Span, StartsOutside) {
     EXPECT_GT(span(70.0f, kInfinity, true).first, span(70.0f, kInfinity, true).last);
     EXPECT_GT(span(64.0f, kInfinity, true).first, span(64.0f, kInfinity, true).last);
     EXPECT_GT(span(-5.0f, 3.0f, true).first, span(-5.0f, 3.0f, true).last); // ends before it
-    for (const glm::vec3 beside : {glm::vec3(-0.1f, 5, 5), glm::vec3(64, 5, 5),
-                                   glm::vec3(5, -0.1f, 5), glm::vec3(5, 64, 5),
-                                   glm::vec3(-kInfinity, 5, 5), glm::vec3(5, 1e30f, 5)}) {
+    for (const glm::vec3 beside :
+         {glm::vec3(-0.1f, 5, 5), glm::vec3(64, 5, 5), glm::vec3(5, -0.1f, 5), glm::vec3(5, 64, 5),
+          glm::vec3(-kInfinity, 5, 5), glm::vec3(5, 1e30f, 5)}) {
         const gpu::RomaSpan none = gpu::roma_span(beside, beside.z, kInfinity, true, 64);
         EXPECT_GT(none.first, none.last);
     }

@@ -19,10 +19,13 @@ inline const Knob<double> kAoRadius{
 inline const Knob<int> kAoRays{{.key = "ao.rays",
                                 .unit = "per pixel and frame",
                                 .help = "Rays that ambient occlusion draws.",
-                                .source = "1 in Zeng et al. 2023, section 7; with 4, 16 frames stay "
-                                          "below a mean absolute error of 0.06 on every camera of "
-                                          "the built-in scenes"},
-                               4, 1, 64};
+                                .source =
+                                    "1 in Zeng et al. 2023, section 7; with 4, 16 frames stay "
+                                    "below a mean absolute error of 0.06 on every camera of "
+                                    "the built-in scenes"},
+                               4,
+                               1,
+                               64};
 
 std::vector<const KnobBase*> ambient_occlusion_knobs();
 

@@ -20,7 +20,8 @@ OccupancyGrid OccupancyGrid::fit(const Bounds& bounds, int resolution, glm::vec3
         // Cells that the extent touches, and one more for the shift. A longest side that rounding
         // puts a hair above its whole number of cells must not get another one.
         const float cells = extent[axis] / grid.cell_size;
-        grid.size[axis] = std::min(static_cast<int>(std::ceil(cells * (1.0f - 1e-6f))) + 1, resolution);
+        grid.size[axis] =
+            std::min(static_cast<int>(std::ceil(cells * (1.0f - 1e-6f))) + 1, resolution);
     }
     grid.origin = bounds.min - jitter * grid.cell_size;
     return grid;

@@ -12,9 +12,9 @@ namespace romascope {
 
 /// A grid of cubic cells over the scene's bounds.
 struct OccupancyGrid {
-    glm::vec3 origin{0.0f};  ///< lower corner of cell (0, 0, 0), metres
-    float cell_size = 1.0f;  ///< metres
-    glm::ivec3 size{1};      ///< cells
+    glm::vec3 origin{0.0f}; ///< lower corner of cell (0, 0, 0), metres
+    float cell_size = 1.0f; ///< metres
+    glm::ivec3 size{1};     ///< cells
 
     /// The grid with `resolution` cells along the longest side of the bounds. It is one cell longer
     /// than the bounds along each axis, so that a shift by `jitter` cells, in [0, 1), still covers

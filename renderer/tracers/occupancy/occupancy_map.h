@@ -14,13 +14,17 @@ inline const Knob<int> kOccupancyResolution{
      .unit = "cells",
      .help = "Cells of the occupancy map along the longest side of the scene.",
      .source = "Zeng et al. 2023, section 6"},
-    128, 32, 256};
+    128,
+    32,
+    256};
 inline const Knob<double> kOccupancyJitter{
     {.key = "occupancy.jitter",
      .unit = "cells",
      .help = "How far the occupancy map is shifted at random from frame to frame.",
      .source = "Zeng et al. 2023, section 4.3: objects are jittered for each map"},
-    1.0, 0.0, 1.0};
+    1.0,
+    0.0,
+    1.0};
 inline const Knob<OccupancyAxes> kOccupancyAxes{
     {.key = "occupancy.axes",
      .unit = "",

@@ -18,8 +18,8 @@ glm::ivec4 fixed_point(glm::dvec3 cells) {
     return glm::ivec4(glm::ivec3(glm::floor(cells * scale + 0.5)), 0);
 }
 
-/// Place of a cell along the Hilbert curve over a square whose side is a power of two (Hilbert 1891;
-/// the quadrants are visited in turn, the first and the last transposed).
+/// Place of a cell along the Hilbert curve over a square whose side is a power of two (Hilbert
+/// 1891; the quadrants are visited in turn, the first and the last transposed).
 unsigned hilbert_index(glm::uvec2 cell, unsigned square) {
     unsigned index = 0;
     for (unsigned half = square / 2; half > 0; half /= 2) {
@@ -125,12 +125,8 @@ gpu::RomaDirection aligned_map(const AlignedBox& box, int side, const OccupancyG
         steps[axis] = box.axes[axis] * (box.cell[axis] / grid.cell_size);
         first += steps[axis] * (0.5 - 0.5 * side);
     }
-    return {row(0, 1.0 / box.cell.z),
-            row(1, box.cell.z),
-            row(2, offset),
-            fixed_point(first),
-            fixed_point(steps[0]),
-            fixed_point(steps[1]),
+    return {row(0, 1.0 / box.cell.z), row(1, box.cell.z),    row(2, offset),
+            fixed_point(first),       fixed_point(steps[0]), fixed_point(steps[1]),
             fixed_point(steps[2])};
 }
 

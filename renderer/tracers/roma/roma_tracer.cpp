@@ -65,8 +65,8 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
     aim(frame, grid, bounds);
     resize_maps();
     const RomaRotateBy by = frame.settings.get(kRomaRotateBy);
-    const bool by_word = by == RomaRotateBy::word ||
-                         (by == RomaRotateBy::device && !current_device_is_software());
+    const bool by_word =
+        by == RomaRotateBy::word || (by == RomaRotateBy::device && !current_device_is_software());
     const Program& program = rotate_.get(frame.shaders, rotate_variant(frame.settings, by_word));
 
     auto pass = frame.timer.compute("roma rotation");
@@ -82,11 +82,11 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
 
 /// Draws this frame's candidates and tells the shaders.
 void RomaTracer::aim(const FrameContext& frame, const OccupancyGrid& grid, const Bounds& bounds) {
-    candidates_ = candidate_directions(frame.settings.get(kRomaAngularResolution),
-                                       frame.settings.get(kRomaDirectionJitter), frame.seed,
-                                       frame.frame);
-    const double offset = frame.settings.get(kRomaNormalOffset) *
-                          enclosing_cell(bounds, grid.cell_size, side_);
+    candidates_ =
+        candidate_directions(frame.settings.get(kRomaAngularResolution),
+                             frame.settings.get(kRomaDirectionJitter), frame.seed, frame.frame);
+    const double offset =
+        frame.settings.get(kRomaNormalOffset) * enclosing_cell(bounds, grid.cell_size, side_);
     directions_.clear();
     for (const glm::dvec3& candidate : candidates_) {
         const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, candidate, side_);
@@ -150,7 +150,8 @@ std::vector<uint32_t> RomaTracer::download_map(int index) const {
     words.reserve(columns * layout.words);
     for (size_t column = 0; column < columns; ++column) {
         for (int word = 0; word < layout.words; ++word) {
-            const size_t layer = static_cast<size_t>(index) * layout.layers + word / layout.words_per_texel;
+            const size_t layer =
+                static_cast<size_t>(index) * layout.layers + word / layout.words_per_texel;
             words.push_back(texels[(layer * columns + column) * layout.words_per_texel +
                                    word % layout.words_per_texel]);
         }

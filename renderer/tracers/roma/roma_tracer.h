@@ -15,7 +15,9 @@ inline const Knob<int> kRomaAngularResolution{
      .unit = "strata per side",
      .help = "Candidate directions per frame, as the square root of their number.",
      .source = "Zeng et al. 2023, section 6"},
-    4, 2, 16};
+    4,
+    2,
+    16};
 inline const Knob<bool> kRomaDirectionJitter{
     {.key = "roma.direction_jitter",
      .unit = "",
@@ -26,10 +28,13 @@ inline const Knob<bool> kRomaDirectionJitter{
 inline const Knob<double> kRomaNormalOffset{
     {.key = "roma.normal_offset",
      .unit = "cells",
-     .help = "How far a ray starts off its surface, along the normal, in cells of a map that encloses "
-             "the scene at any turn.",
+     .help =
+         "How far a ray starts off its surface, along the normal, in cells of a map that encloses "
+         "the scene at any turn.",
      .source = "Zeng et al. 2023, section 6"},
-    1.5, 0.0, 8.0};
+    1.5,
+    0.0,
+    8.0};
 inline const Knob<RomaSampling> kRomaSampling{
     {.key = "roma.sampling",
      .unit = "",
@@ -42,8 +47,9 @@ inline const Knob<RomaSampling> kRomaSampling{
 inline const Knob<RomaRotateBy> kRomaRotateBy{
     {.key = "roma.rotate_by",
      .unit = "",
-     .help = "What one invocation of the rotation makes, with the same result: a texel of up to four "
-             "words, a word, or whichever suits the device.",
+     .help =
+         "What one invocation of the rotation makes, with the same result: a texel of up to four "
+         "words, a word, or whichever suits the device.",
      .source = "measured: a GPU wants many small invocations, a CPU few without barriers"},
     RomaRotateBy::device,
     {"device", "texel", "word"}};
@@ -82,8 +88,8 @@ private:
     std::vector<glm::dvec3> candidates_;
     std::vector<gpu::RomaDirection> directions_;
     ProgramSlot rotate_;
-    Buffer direction_buffer_;   ///< std430 RomaDirection[]
-    Buffer candidate_buffer_;   ///< std140 RomaCandidates of roma_tracer.glsl
+    Buffer direction_buffer_; ///< std430 RomaDirection[]
+    Buffer candidate_buffer_; ///< std140 RomaCandidates of roma_tracer.glsl
     Texture map_texture_;
 };
 

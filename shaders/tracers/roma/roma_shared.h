@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Ray-aligned occupancy maps by rotation (Zeng et al. 2023, Algorithms 1 and 2): what the generation
-// and the tracing compute, for the shaders and their CPU twin alike.
+// Ray-aligned occupancy maps by rotation (Zeng et al. 2023, Algorithms 1 and 2): what the
+// generation and the tracing compute, for the shaders and their CPU twin alike.
 //
 // An aligned map is a box of side^3 cells around the scene, turned so that its third axis is a
 // candidate direction; the cells of a column along that axis are consecutive bits. "Aligned
-// coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k, k+1).
+// coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k,
+// k+1).
 #pragma once
 #include "shaders/common/bits.h"
 #include "shaders/common/cross.h"
@@ -26,7 +27,8 @@ struct RomaDirection {
                 ///< w: cells per metre along the candidate direction
     vec4 row_v; ///< xyz: likewise; w: metres per cell along the candidate direction
     vec4 row_w; ///< xyz: likewise, along the candidate direction; w: normal offset in metres
-    ivec4 base_origin; ///< base map coordinates of the centre of aligned cell (0, 0, 0), fixed point
+    ivec4
+        base_origin; ///< base map coordinates of the centre of aligned cell (0, 0, 0), fixed point
     ivec4 base_step_u; ///< change of those from one aligned cell to the next
     ivec4 base_step_v;
     ivec4 base_step_w;
@@ -66,8 +68,8 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     float limit = float(side);
     // Clamped before they become integers, which infinities and far points could not.
     int from = int(floor(clamp(start.z, -1.0f, limit)));
-    span.column = ivec2(int(floor(clamp(start.x, -1.0f, limit))),
-                        int(floor(clamp(start.y, -1.0f, limit))));
+    span.column =
+        ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
     span.first = forward ? from : 0;
     span.last = forward ? side - 1 : from;
     if (reach < kRomaUnbounded) {
@@ -108,8 +110,8 @@ SHARED_FN RomaRay roma_ray(RomaDirection map, bool forward, vec3 point, vec3 nor
 
 /// Whether a direction points to the candidate's side, rather than to its opposite's.
 SHARED_FN bool roma_is_forward(RomaDirection map, vec3 direction) {
-    EXACT float along = direction.x * map.row_w.x + direction.y * map.row_w.y +
-                        direction.z * map.row_w.z;
+    EXACT float along =
+        direction.x * map.row_w.x + direction.y * map.row_w.y + direction.z * map.row_w.z;
     return along >= 0.0f;
 }
 
