@@ -31,6 +31,8 @@ void set_label(GLenum kind, GLuint id, const std::string& label) {
 
 size_t bytes_per_texel(GLenum format) {
     switch (format) {
+    case GL_R16:
+        return 2;
     case GL_R32UI:
     case GL_R32F:
     case GL_RGBA8:

@@ -11,11 +11,12 @@ ShaderVariant RunningMean::variant(GLenum format) {
 }
 
 void RunningMean::add(const FrameContext& frame, const Texture& value) {
-    if (mean_.size() != value.size() || mean_.format() != value.format()) {
-        mean_ = Texture("running mean", GL_TEXTURE_2D, value.format(), value.size());
+    const GLenum format = value.format() == GL_RGBA32F ? GL_RGBA32F : GL_R32F;
+    if (mean_.size() != value.size() || mean_.format() != format) {
+        mean_ = Texture("running mean", GL_TEXTURE_2D, format, value.size());
         reset();
     }
-    const Program& program = program_.get(frame.shaders, variant(value.format()));
+    const Program& program = program_.get(frame.shaders, variant(format));
     auto pass = frame.timer.compute("running mean");
     program.use();
     program.set("count", ++count_);

@@ -9,7 +9,7 @@ namespace romascope {
 /// Mean of all frames since the last reset, for a still camera and scene.
 class RunningMean {
 public:
-    /// `value`: R32F or RGBA32F. A change of size or format starts anew.
+    /// `value`: RGBA32F, or one channel of any format. A change of size or format starts anew.
     void add(const FrameContext& frame, const Texture& value);
     void reset() { count_ = 0; }
     const Texture& mean() const { return mean_; }

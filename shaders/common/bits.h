@@ -16,6 +16,13 @@ SHARED_FN uint bits_in_range(int word, int first, int last) {
     return (0xFFFFFFFFu << low) & (0xFFFFFFFFu >> (31 - high));
 }
 
+/// Mask of the cells from `cell` on, or of those before it, that lie in word `word`.
+SHARED_FN uint bits_from(int word, int cell, bool before) {
+    int low = clamp(cell - 32 * word, 0, 32);
+    uint from = low == 32 ? 0u : 0xFFFFFFFFu << low;
+    return before ? ~from : from;
+}
+
 #ifdef __cplusplus
 } // namespace romascope::gpu
 #endif

@@ -3,14 +3,14 @@
 // within the radius (Zeng et al. 2023, equation 1). Background is 1.
 //
 // In:   the G-buffer; "tracer.glsl", chosen by the host
-// Out:  visibility, R32F, one value in [0, 1] per pixel and frame
+// Out:  visibility, R16, one value in [0, 1] per pixel and frame: fine enough for any number of rays
 // Host: AO_RADIUS in metres, may be infinite; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
 #include "tracer.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(r32f, binding = 0) writeonly uniform image2D visibility;
+layout(r16, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed_key;
 uniform uint frame;
 

@@ -2,7 +2,7 @@
 // The picture to look at: lit by one sun and a sky, ambient occlusion multiplied in, or one of the
 // intermediate results.
 //
-// In:   the G-buffer, base colour, emission, visibility (R32F)
+// In:   the G-buffer, base colour, emission, visibility (R16)
 // Out:  picture RGBA32F, linear
 // Host: FRAME_VIEW and FRAME_VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
 #include "shaders/common/surface.glsl"

@@ -2,8 +2,8 @@
 // Mean of all frames so far: mean += (value - mean) / count, which keeps its precision however many
 // frames there are, and is exact where every frame gives the same.
 //
-// In:   value, R32F or RGBA32F
-// Out:  mean, of the same format MEAN_FORMAT, read and written
+// In:   value, one channel or four
+// Out:  mean, MEAN_FORMAT, as many channels in 32-bit floats, read and written
 // Host: count: frames including this one, 1 starts anew; picture_size
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 0) uniform sampler2D value;

@@ -33,6 +33,14 @@ TEST(Bits, RangeEqualsBitByBit) {
     }
 }
 
+TEST(Bits, HalvesEqualRangesWithoutEnd) {
+    for (int word = 0; word < 3; ++word)
+        for (int cell = -40; cell < 140; ++cell) {
+            ASSERT_EQ(gpu::bits_from(word, cell, false), gpu::bits_in_range(word, cell, 1000));
+            ASSERT_EQ(gpu::bits_from(word, cell, true), gpu::bits_in_range(word, -1000, cell - 1));
+        }
+}
+
 TEST(ExactMath, IsAccurate) {
     std::mt19937 random(1);
     std::uniform_real_distribution<float> exponent(-20.0f, 20.0f);

@@ -22,7 +22,7 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
                            const Tracer& tracer) {
     const glm::ivec3 extent(view.size, 1);
     if (visibility_.size() != extent)
-        visibility_ = Texture("visibility", GL_TEXTURE_2D, GL_R32F, extent);
+        visibility_ = Texture("visibility", GL_TEXTURE_2D, GL_R16, extent);
     const Program& program = program_.get(frame.shaders, variant(frame.settings, tracer));
 
     auto pass = frame.timer.compute("ambient occlusion");

@@ -35,7 +35,7 @@ class AmbientOcclusion {
 public:
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
              const Tracer& tracer);
-    const Texture& visibility() const { return visibility_; } ///< R32F
+    const Texture& visibility() const { return visibility_; } ///< R16, 1: open
     StructureBytes bytes() const { return {"visibility", visibility_.bytes()}; }
 
     static ShaderVariant variant(const Settings& settings, const Tracer& tracer);

@@ -31,14 +31,18 @@ RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max)
     return roma_ray(roma_directions[map], forward, relative, normal, t_max, ROMA_SIDE);
 }
 
-/// The words of the ray's column, cut to the cells it passes.
-void roma_column(int map, RomaSpan span, out uint words[ROMA_WORDS]) {
+/// The words of the ray's column, cut to the cells it passes. A ray without an end passes all cells
+/// on one side of its start, which takes half a mask.
+void roma_column(int map, RomaRay ray, bool unbounded, out uint words[ROMA_WORDS]) {
+    RomaSpan span = ray.span;
+    int border = ray.forward ? span.first : span.last + 1;
     for (int part = 0; part < ROMA_LAYERS_PER_MAP; ++part) {
         ivec3 place = ivec3(span.column, map * ROMA_LAYERS_PER_MAP + part);
         uvec4 texel = texelFetch(aligned_maps, place, 0);
         for (int i = 0; i < ROMA_WORDS_PER_TEXEL; ++i) {
             int word = part * ROMA_WORDS_PER_TEXEL + i;
-            words[word] = texel[i] & bits_in_range(word, span.first, span.last);
+            words[word] = texel[i] & (unbounded ? bits_from(word, border, !ray.forward)
+                                                : bits_in_range(word, span.first, span.last));
         }
     }
 }
@@ -48,7 +52,7 @@ bool roma_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     if (ray.span.first > ray.span.last)
         return false;
     uint words[ROMA_WORDS];
-    roma_column(map, ray.span, words);
+    roma_column(map, ray, t_max >= kRomaUnbounded, words);
     uint occupied = 0u;
     for (int word = 0; word < ROMA_WORDS; ++word)
         occupied |= words[word];
@@ -60,7 +64,7 @@ float roma_closest_hit(int map, bool forward, vec3 point, vec3 normal, float t_m
     if (ray.span.first > ray.span.last)
         return -1.0;
     uint words[ROMA_WORDS];
-    roma_column(map, ray.span, words);
+    roma_column(map, ray, t_max >= kRomaUnbounded, words);
     int cell = -1;
     if (forward) {
         for (int word = ROMA_WORDS - 1; word >= 0; --word)
