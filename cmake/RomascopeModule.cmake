@@ -8,3 +8,20 @@ function(romascope_module name)
   endforeach()
   target_link_libraries(romascope_${name} PUBLIC romascope_options ${ARG_LIBRARIES})
 endfunction()
+
+# romascope_embed(OUT NAME ROOT PATTERN...)
+# Sets OUT to a generated source with a function NAME() that gives the texts of all files below ROOT
+# that match (see EmbedText.cmake).
+function(romascope_embed out name root)
+  list(TRANSFORM ARGN PREPEND ${root}/ OUTPUT_VARIABLE patterns)
+  file(GLOB_RECURSE files CONFIGURE_DEPENDS RELATIVE ${root} ${patterns})
+  list(TRANSFORM files PREPEND ${root}/ OUTPUT_VARIABLE paths)
+  set(source ${CMAKE_CURRENT_BINARY_DIR}/${name}.cpp)
+  set(script ${PROJECT_SOURCE_DIR}/cmake/EmbedText.cmake)
+  add_custom_command(
+    OUTPUT ${source}
+    COMMAND ${CMAKE_COMMAND} -DROOT=${root} "-DFILES=${files}" -DOUT=${source} -DNAME=${name} -P ${script}
+    DEPENDS ${paths} ${script}
+    COMMENT "Embedding ${name}" VERBATIM)
+  set(${out} ${source} PARENT_SCOPE)
+endfunction()
