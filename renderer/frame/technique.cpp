@@ -10,6 +10,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace romascope {
 namespace {
 
@@ -40,6 +42,7 @@ const std::vector<Technique>& techniques() {
         for (const auto& [file, text] : embedded_config())
             found.push_back({std::string(file.substr(0, file.size() - kExtension.size())),
                              first_comment(text)});
+        std::ranges::sort(found, {}, &Technique::name); // as names, not as files with an extension
         return found;
     }();
     return list;
