@@ -1,4 +1,4 @@
-# What 'cmake --install' puts where, for the relocatable folder that tools/bundle.sh makes.
+# What 'cmake --install' puts where, for the relocatable folder that tools/bundle/make.sh makes.
 # The program looks for libraries in ../lib and for scenes in ../share/romascope/assets.
 set_target_properties(romascope PROPERTIES INSTALL_RPATH "$ORIGIN/../lib")
 # RPATH, not RUNPATH: it holds for the libraries of the libraries, too.

@@ -62,10 +62,4 @@ DriverFacts query_driver() {
     return facts;
 }
 
-int64_t max_storage_block_bytes() {
-    GLint64 value = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &value);
-    return value;
-}
-
 } // namespace romascope

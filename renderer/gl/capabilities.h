@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -25,9 +24,5 @@ struct DriverFacts {
 };
 
 DriverFacts query_driver();
-
-/// Largest 3D texture side, array layers, and so on are checked where they are needed; this is the
-/// one limit that several structures share: bytes of one shader storage block.
-int64_t max_storage_block_bytes();
 
 } // namespace romascope

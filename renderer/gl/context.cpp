@@ -2,7 +2,6 @@
 #include "renderer/gl/context.h"
 
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/gl/context_backends.h"
 
 #include <fmt/format.h>

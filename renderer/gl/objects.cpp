@@ -134,8 +134,6 @@ void Texture::clear_uint(GLuint value) {
     glClearTexImage(id(), 0, layout, GL_UNSIGNED_INT, texel);
 }
 
-void Texture::clear_float(glm::vec4 value) { glClearTexImage(id(), 0, GL_RGBA, GL_FLOAT, &value); }
-
 std::vector<float> Texture::download_float(int components) const {
     const GLenum layouts[] = {GL_RED, GL_RG, GL_RGB, GL_RGBA};
     const GLenum layout =

@@ -91,7 +91,6 @@ public:
     /// All layers at once where there are several.
     void bind_image(GLuint unit, GLenum access) const;
     void clear_uint(GLuint value);
-    void clear_float(glm::vec4 value);
     /// All texels, `components` values each, x fastest, then y, then z.
     std::vector<float> download_float(int components) const;
     std::vector<GLuint> download_uint(int components) const;

@@ -81,9 +81,6 @@ void Program::set(const char* name, GLuint value) const {
 void Program::set(const char* name, float value) const {
     glProgramUniform1f(id(), location(name), value);
 }
-void Program::set(const char* name, glm::vec2 value) const {
-    glProgramUniform2fv(id(), location(name), 1, glm::value_ptr(value));
-}
 void Program::set(const char* name, glm::vec3 value) const {
     glProgramUniform3fv(id(), location(name), 1, glm::value_ptr(value));
 }

@@ -26,7 +26,6 @@ public:
     void set(const char* name, int value) const;
     void set(const char* name, GLuint value) const;
     void set(const char* name, float value) const;
-    void set(const char* name, glm::vec2 value) const;
     void set(const char* name, glm::vec3 value) const;
     void set(const char* name, glm::ivec2 value) const;
     void set(const char* name, glm::ivec3 value) const;

@@ -7,7 +7,6 @@
 #include <array>
 #include <chrono>
 #include <deque>
-#include <map>
 #include <optional>
 #include <string>
 #include <string_view>

@@ -128,7 +128,7 @@ class Report(CliTest):
         fine = self.report("--set", "occupancy.resolution=64")["bytes"]
         self.assertTrue(all(entry > 0 for entry in coarse.values()))
         self.assertGreater(fine["occupancy map"], 3 * coarse["occupancy map"])
-        self.assertEqual(fine["visibility"], 64 * 48 * 4)
+        self.assertEqual(fine["visibility"], 64 * 48 * 2)  # R16
 
     def test_errors_are_those_of_the_picture(self):
         words = ("--reference", "16", "--reference-output", "truth.hdr")

@@ -13,8 +13,8 @@
 namespace romascope::gpu {
 #endif
 
-/// Fraction bits of the fixed-point base map coordinates. 11 bits are left for cells and sign,
-/// enough for 256 cells times the square root of 3.
+/// Fraction bits of the fixed-point base map coordinates. The sign and 11 bits of whole cells are
+/// left: corners of a box around 256 cells lie within some 400 cells of the middle.
 const int kRomaFractionBits = 20;
 
 /// From here on a distance has no end. Tested with a comparison that a compiler can decide where
