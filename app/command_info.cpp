@@ -5,6 +5,7 @@
 #include "renderer/frame/technique.h"
 #include "renderer/gl/capabilities.h"
 #include "renderer/scene/gltf_import.h"
+#include "renderer/tracers/tracer.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -16,12 +17,17 @@ namespace {
 
 struct InfoOptions {
     BackendOptions backend;
-    bool knobs = false, techniques = false, scenes = false;
+    bool knobs = false, techniques = false, tracers = false, scenes = false;
 };
 
 void print_techniques() {
     for (const Technique& technique : techniques())
         fmt::print("{:<12} {}\n", technique.name, technique.description);
+}
+
+void print_tracers() {
+    for (const TracerEntry& tracer : tracers())
+        fmt::print("{:<12} {}\n", tracer.name, tracer.description);
 }
 
 void print_scenes() {
@@ -60,9 +66,11 @@ int info(const InfoOptions& options) {
         fmt::print("{}", knobs_as_text(all_knobs()));
     if (options.techniques)
         print_techniques();
+    if (options.tracers)
+        print_tracers();
     if (options.scenes)
         print_scenes();
-    if (!options.knobs && !options.techniques && !options.scenes)
+    if (!options.knobs && !options.techniques && !options.tracers && !options.scenes)
         print_driver(options.backend);
     return 0;
 }
@@ -75,6 +83,7 @@ Command add_info_command(CLI::App& app) {
         app.add_subcommand("info", "The driver and what it can do; knobs, techniques, scenes");
     command->add_flag("--knobs", options->knobs, "every setting: range, default, meaning, source");
     command->add_flag("--techniques", options->techniques, "named choices of methods and values");
+    command->add_flag("--tracers", options->tracers, "visibility structures, for technique.tracer");
     command->add_flag("--scenes", options->scenes, "scenes that come with the program");
     options->backend.add_to(*command);
     return [options] { return info(*options); };

@@ -78,8 +78,12 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
     const bool wants_reference = !options.reference_output.empty() || !options.error_map.empty();
     if (wants_reference && !options.reference_samples)
         throw Error("--reference-output and --error-map need --reference N", kBadInput);
-    if (options.reference_samples && *options.reference_samples < 1)
-        throw Error("--reference needs at least 1 sample per pixel", kBadInput);
+    if (options.reference_samples &&
+        (*options.reference_samples < 1 || *options.reference_samples > kMaxReferenceSamples))
+        throw Error(
+            fmt::format("--reference takes 1 to {} samples per pixel", kMaxReferenceSamples),
+            kBadInput);
+    make_tracer(settings.get(kTracer)); // refuses a name there is not
     if (options.reference_samples && settings.get(kView) != PictureKind::ambient_occlusion)
         throw Error("--reference is ambient occlusion: it needs frame.view=ambient_occlusion",
                     kBadInput);
@@ -118,7 +122,7 @@ AoReference compute_reference(const Scene& scene, const Camera& camera, const Se
     query.camera = camera;
     query.size = {settings.get(kWidth), settings.get(kHeight)};
     query.samples = *options.reference_samples;
-    query.radius = static_cast<float>(settings.get(kAoRadius));
+    query.radius = ambient_occlusion_radius(settings);
     query.pixel_jitter = settings.get(kAntialias);
     // The truth does not follow the seed of what it judges.
     return ambient_occlusion_reference(

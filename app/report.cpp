@@ -87,7 +87,7 @@ std::string report_json(const ReportFacts& facts) {
                           {"rmse", facts.errors->rmse},
                           {"mae", facts.errors->mae},
                           {"bias", facts.errors->bias}};
-    return json.dump(2) + "\n";
+    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string report_table(const ReportFacts& facts) {

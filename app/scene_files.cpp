@@ -45,7 +45,7 @@ std::vector<BuiltInScene> built_in_scenes() {
 
 fs::path find_scene(const std::string& file_or_name) {
     std::error_code code;
-    if (fs::exists(file_or_name, code))
+    if (fs::is_regular_file(file_or_name, code))
         return file_or_name;
     std::vector<std::string> names;
     for (const BuiltInScene& scene : built_in_scenes()) {
@@ -53,6 +53,8 @@ fs::path find_scene(const std::string& file_or_name) {
             return scene.file;
         names.push_back(scene.name);
     }
+    if (fs::exists(file_or_name, code)) // a folder or the like; reading it says so
+        return file_or_name;
     // What looks like a path is one that does not exist; a bare word may be a name misspelt.
     const fs::path path(file_or_name);
     if (path.has_extension() || path.has_parent_path() || names.empty())

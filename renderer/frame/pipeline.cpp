@@ -64,11 +64,15 @@ void Pipeline::restart_on_change(const Settings& settings, const Camera& camera)
     }
 }
 
+void Pipeline::restart() {
+    mean_.reset();
+    frame_ = 0;
+}
+
 void Pipeline::render(const Settings& settings, const Camera& camera) {
     restart_on_change(settings, camera);
     const FrameContext frame{
-        settings,     shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)),
-        mean_.count()};
+        settings, shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)), frame_};
     View view;
     view.camera = camera;
     view.size = {settings.get(kWidth), settings.get(kHeight)};
@@ -83,6 +87,7 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     if (composed_)
         compose_.run(frame, view, gbuffer_, ambient_occlusion_.visibility());
     mean_.add(frame, composed_ ? compose_.picture() : ambient_occlusion_.visibility());
+    ++frame_;
     timer_.collect();
     check_gl_error("the frame");
 }

@@ -15,9 +15,12 @@ public:
     /// Needs a current context. `shaders`: where programs come from.
     Pipeline(const Scene& scene, ShaderLibrary shaders);
 
-    /// One frame, added to the mean of the frames before it. The frame's number in the random
-    /// sequences is `frame_count()`. A change of settings or camera starts the mean anew.
+    /// One frame, added to the mean of the frames before it. A change of settings or camera starts
+    /// the mean anew; the random sequences go on, so that a moving camera sees new directions.
     void render(const Settings& settings, const Camera& camera);
+    /// Starts mean and random sequences anew: what follows is what a new pipeline would render.
+    void restart();
+    /// Frames in the mean.
     uint32_t frame_count() const { return mean_.count(); }
 
     /// The mean as it stands: 1 channel for ambient occlusion, 3 for other views; linear.
@@ -40,6 +43,7 @@ private:
     RunningMean mean_;
     std::optional<Settings> last_settings_;
     Camera last_camera_;
+    uint32_t frame_ = 0; ///< in the random sequences
     bool composed_ = false;
 };
 

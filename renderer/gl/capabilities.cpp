@@ -28,7 +28,7 @@ const char* yes_no(int has) { return has ? "yes" : "no"; }
 DriverFacts query_driver() {
     DriverFacts facts{text_of(GL_VERSION), text_of(GL_SHADING_LANGUAGE_VERSION), text_of(GL_VENDOR),
                       text_of(GL_RENDERER)};
-    facts.software = is_software_renderer(facts.renderer);
+    facts.software = is_software_context();
     GLint timestamp_bits = 0;
     glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &timestamp_bits);
     GLint flags = 0;

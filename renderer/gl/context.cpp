@@ -145,6 +145,11 @@ bool is_software_renderer(std::string_view renderer) {
     return false;
 }
 
+std::string_view current_renderer() {
+    const GLubyte* text = glGetString(GL_RENDERER);
+    return text ? reinterpret_cast<const char*>(text) : "";
+}
+
 std::unique_ptr<Context> create_context(const ContextRequest& request, std::string* story) {
     if (request.egl_device) {
         if (request.backend != Backend::automatic && request.backend != Backend::egl)

@@ -69,4 +69,10 @@ std::vector<BackendState> probe_backends();
 /// True for the renderer strings of llvmpipe, softpipe and other CPU rasterisers.
 bool is_software_renderer(std::string_view renderer);
 
+/// GL_RENDERER of the current context; empty if the driver gives none.
+std::string_view current_renderer();
+
+/// Whether the current context renders on the CPU.
+inline bool is_software_context() { return is_software_renderer(current_renderer()); }
+
 } // namespace romascope

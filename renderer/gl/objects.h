@@ -31,7 +31,6 @@ public:
         return *this;
     }
     GLuint id() const { return id_; }
-    explicit operator bool() const { return id_ != 0; }
 
 private:
     GLuint id_ = 0;

@@ -10,8 +10,7 @@ namespace romascope {
 namespace {
 
 TimerClock clock_for_current_context() {
-    const GLubyte* renderer = glGetString(GL_RENDERER);
-    if (is_software_renderer(reinterpret_cast<const char*>(renderer)))
+    if (is_software_context())
         return TimerClock::cpu_with_finish;
     GLint bits = 0;
     glGetQueryiv(GL_TIMESTAMP, GL_QUERY_COUNTER_BITS, &bits);

@@ -8,7 +8,7 @@ namespace romascope {
 ShaderVariant Compose::variant(const Settings& settings) {
     return {"compose",
             {{GL_COMPUTE_SHADER, "passes/compose.comp.glsl"}},
-            shader_defines(settings, {&kView, &kSunStrength, &kSkyStrength}),
+            shader_defines(settings, {&kView}),
             {}};
 }
 
@@ -24,6 +24,8 @@ void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gb
     auto pass = frame.timer.compute("compose");
     program.use();
     view.set_uniforms(program);
+    program.set("sun_strength", static_cast<float>(frame.settings.get(kSunStrength)));
+    program.set("sky_strength", static_cast<float>(frame.settings.get(kSkyStrength)));
     program.set("sun_direction",
                 glm::vec3(std::cos(elevation) * std::cos(azimuth), std::sin(elevation),
                           std::cos(elevation) * std::sin(azimuth)));
@@ -33,7 +35,7 @@ void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gb
     visibility.bind(4);
     picture_.bind_image(0, GL_WRITE_ONLY);
     program.dispatch_covering(extent);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 } // namespace romascope

@@ -12,13 +12,12 @@ public:
     /// Draws the scene; makes the textures anew where the size changed.
     void draw(const FrameContext& frame, const View& view);
 
-    const Texture& depth() const { return depth_; }           ///< D32F, near / distance, 0: nothing
-    const Texture& normal() const { return normal_; }         ///< R32UI, octahedral
     const Texture& base_color() const { return base_color_; } ///< sRGB8
     const Texture& emission() const { return emission_; }     ///< R11G11B10F
     StructureBytes bytes() const;
 
-    /// Binds depth and normal where shaders/common/surface.glsl reads them.
+    /// Binds depth (D32F, near / distance, 0: nothing) and normal (R32UI, octahedral) where
+    /// shaders/common/surface.glsl reads them.
     void bind_surface() const;
 
     static ShaderVariant variant();

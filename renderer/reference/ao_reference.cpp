@@ -29,8 +29,9 @@ void check(const AoQuery& query) {
     if (query.size.x < 1 || query.size.y < 1 || query.size.x > 32768 || query.size.y > 32768)
         refuse(
             fmt::format("a picture of {} x {} pixels is not possible", query.size.x, query.size.y));
-    if (query.samples < 1 || query.samples > 1 << 20)
-        refuse(fmt::format("{} samples per pixel, 1 to 1048576 are possible", query.samples));
+    if (query.samples < 1 || query.samples > kMaxReferenceSamples)
+        refuse(fmt::format("{} samples per pixel, 1 to {} are possible", query.samples,
+                           kMaxReferenceSamples));
     const Camera& camera = query.camera;
     for (const glm::vec3& v : {camera.eye, camera.forward, camera.up})
         if (!std::isfinite(v.x) || !std::isfinite(v.y) || !std::isfinite(v.z))

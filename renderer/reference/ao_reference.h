@@ -10,11 +10,13 @@
 
 namespace romascope {
 
+inline constexpr int kMaxReferenceSamples = 1 << 20;
+
 /// What ambient occlusion is asked for. All of it is part of the cache's key.
 struct AoQuery {
     Camera camera;
-    glm::ivec2 size{0};                                    ///< pixels, 1 to 32768 each
-    int samples = 64;                                      ///< rays per pixel, 1 to 2^20
+    glm::ivec2 size{0}; ///< pixels, 1 to 32768 each
+    int samples = 64;   ///< rays per pixel, 1 to kMaxReferenceSamples
     float radius = std::numeric_limits<float>::infinity(); ///< metres from the surface, > 0
     uint32_t seed = 0;                                     ///< other rays, same expectation
     /// Primary rays spread over the pixel, one per sample, instead of one through its centre.

@@ -279,7 +279,8 @@ void Builder::add_camera(const tinygltf::Node& node, const glm::dmat4& world,
 void Builder::add_fitting_camera() {
     const float fov = glm::radians(45.0f);
     const glm::vec3 centre = scene_.bounds.centre();
-    const float radius = std::max(0.5f * glm::length(scene_.bounds.extent()), 1e-3f);
+    const float size = 0.5f * glm::length(scene_.bounds.extent());
+    const float radius = size > 0.0f ? size : 1.0f; // a single point
     const float distance = radius / std::sin(0.5f * fov);
     const glm::vec3 from = glm::normalize(glm::vec3(0.6f, 0.5f, 1.0f));
     scene_.cameras.push_back(look_at("default", centre + distance * from, centre, fov));

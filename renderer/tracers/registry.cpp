@@ -8,15 +8,16 @@ namespace romascope {
 const std::vector<TracerEntry>& tracers() {
     static const std::vector<TracerEntry> entries = {
         {"roma", "ray-aligned occupancy map array, aligned by rotation (Zeng et al. 2023)",
-         make_roma_tracer},
+         make_roma_tracer, roma_knobs},
     };
     return entries;
 }
 
 std::vector<const KnobBase*> tracer_knobs() {
     std::vector<const KnobBase*> all = occupancy_knobs();
-    for (const KnobBase* knob : roma_knobs())
-        all.push_back(knob);
+    for (const TracerEntry& entry : tracers())
+        for (const KnobBase* knob : entry.knobs())
+            all.push_back(knob);
     return all;
 }
 

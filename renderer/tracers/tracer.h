@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "renderer/gl/program.h"
 #include "renderer/passes/frame_context.h"
 
 #include <memory>
@@ -17,8 +18,8 @@ namespace romascope {
 ///     float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max)
 /// for a ray from a surface point with unit normal and direction; t_max in metres from the surface,
 /// infinity allowed; the distance in metres, negative for a miss. How far the ray's start is moved
-/// off the surface is the tracer's own affair. One with a fixed set of directions also defines
-/// TRACER_HAS_CANDIDATES 1 and gives the functions over those (see roma_tracer.glsl).
+/// off the surface is the tracer's own affair. One with a fixed set of directions can also give the
+/// functions over those (see roma_tracer.glsl) and say so with sample_candidates().
 class Tracer {
 public:
     virtual ~Tracer() = default;
@@ -33,7 +34,8 @@ public:
     virtual bool sample_candidates(const Settings&) const { return false; }
 
     /// Binds what was built for the GLSL file: texture units, storage and uniform blocks from 4 up.
-    virtual void bind() const = 0;
+    /// `program`, in use, includes the GLSL file: for uniforms.
+    virtual void bind(const Program& program) const = 0;
 
     virtual std::vector<StructureBytes> bytes() const = 0;
     /// All programs of the build under these settings, for tests that compile them.
@@ -45,6 +47,7 @@ struct TracerEntry {
     std::string_view name;
     std::string_view description;
     std::unique_ptr<Tracer> (*make)();
+    std::vector<const KnobBase*> (*knobs)(); ///< its own, without those of what it shares
 };
 
 /// All tracers. A new one is a folder here, a GLSL file, and a line in registry.cpp.

@@ -4,7 +4,7 @@
 //
 // In:   the G-buffer; "tracer.glsl", chosen by the host
 // Out:  visibility, R16, one value in [0, 1] per pixel and frame: fine enough for any number of rays
-// Host: AO_RADIUS in metres, may be infinite; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed
+// Host: AO_UNBOUNDED 0 or 1, else radius in metres; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
 #include "tracer.glsl"
@@ -13,10 +13,16 @@ layout(local_size_x = 16, local_size_y = 8) in;
 layout(r16, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed_key;
 uniform uint frame;
+#if AO_UNBOUNDED
+#define RAY_LENGTH uintBitsToFloat(0x7F800000u) // a constant, so that the ray's end costs nothing
+#else
+uniform float radius;
+#define RAY_LENGTH radius
+#endif
 
 #if SAMPLE_CANDIDATES
 int is_free(int place, Surface surface) {
-    return tracer_candidate_any_hit(place, surface.position, surface.normal, AO_RADIUS) ? 0 : 1;
+    return tracer_candidate_any_hit(place, surface.position, surface.normal, RAY_LENGTH) ? 0 : 1;
 }
 
 /// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
@@ -71,7 +77,7 @@ int free_rays(ivec2 pixel, Surface surface) {
     for (int i = 0; i < AO_RAYS; ++i) {
         uvec2 u = r2_sequence(frame * uint(AO_RAYS) + uint(i), shift);
         vec3 direction = cosine_direction(surface.normal, vec2(unit_float(u.x), unit_float(u.y)));
-        if (!tracer_any_hit(surface.position, surface.normal, direction, AO_RADIUS))
+        if (!tracer_any_hit(surface.position, surface.normal, direction, RAY_LENGTH))
             ++free;
     }
     return free;

@@ -4,7 +4,8 @@
 //
 // In:   the G-buffer, base colour, emission, visibility (R16)
 // Out:  picture RGBA32F, linear
-// Host: FRAME_VIEW and FRAME_VIEW_*; LIT_SUN_STRENGTH, LIT_SKY_STRENGTH; sun_direction: unit, towards the sun
+// Host: FRAME_VIEW and FRAME_VIEW_*; sun_strength, sky_strength;
+//       sun_direction: unit, towards the sun
 #include "shaders/common/surface.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
@@ -13,6 +14,8 @@ layout(binding = 3) uniform sampler2D gbuffer_emission;
 layout(binding = 4) uniform sampler2D visibility;
 layout(rgba32f, binding = 0) writeonly uniform image2D picture;
 uniform vec3 sun_direction;
+uniform float sun_strength;
+uniform float sky_strength;
 
 const vec3 kSunColor = vec3(1.0, 0.93, 0.8);
 const vec3 kZenithColor = vec3(0.36, 0.52, 0.82);
@@ -33,11 +36,11 @@ vec3 sky_light(vec3 normal) {
 
 vec3 lit(ivec2 pixel, Surface surface) {
     if (surface.background)
-        return LIT_SKY_STRENGTH * sky(normalize(view_ray(pixel)));
+        return sky_strength * sky(normalize(view_ray(pixel)));
     vec3 base = texelFetch(gbuffer_base_color, pixel, 0).rgb;
     vec3 emission = texelFetch(gbuffer_emission, pixel, 0).rgb;
-    vec3 sun = LIT_SUN_STRENGTH * kSunColor * max(dot(surface.normal, sun_direction), 0.0);
-    vec3 light = sun + LIT_SKY_STRENGTH * sky_light(surface.normal);
+    vec3 sun = sun_strength * kSunColor * max(dot(surface.normal, sun_direction), 0.0);
+    vec3 light = sun + sky_strength * sky_light(surface.normal);
     return base * light * texelFetch(visibility, pixel, 0).x + emission;
 }
 

@@ -34,8 +34,12 @@ const SharedContext& shared_context() {
 } // namespace
 
 void GlTest::SetUp() {
-    if (!shared_context().context)
-        GTEST_SKIP() << "this machine lacks the backend: " << shared_context().why_not;
+    if (!shared_context().context) {
+        // A library that is not there is what a machine can lack; anything else is a failure.
+        if (shared_context().why_not.find("is not installed") != std::string::npos)
+            GTEST_SKIP() << "this machine lacks the backend: " << shared_context().why_not;
+        FAIL() << shared_context().why_not;
+    }
     log_.emplace();
     timer_.emplace();
 }

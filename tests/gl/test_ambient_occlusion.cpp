@@ -140,10 +140,19 @@ TEST_F(AmbientOcclusionTest, AChangeOfSettingsStartsTheMeanAnew) {
     settings_.set(kRomaAngularResolution, 3);
     pipeline.render(settings_, scene.cameras[0]);
     EXPECT_EQ(pipeline.frame_count(), 1u);
-    EXPECT_EQ(pipeline.picture().data, render(scene, scene.cameras[0], 1).data);
-    // Sizes, too, in both directions.
+    // Nothing of the old frames is left, but the directions are new: as a fresh pipeline's third.
+    Settings other = settings_;
+    other.set(kAoRadius, 1000.0);
+    Pipeline fresh(scene, ShaderLibrary());
+    fresh.render(other, scene.cameras[0]);
+    fresh.render(other, scene.cameras[0]);
+    fresh.render(settings_, scene.cameras[0]);
+    EXPECT_EQ(pipeline.picture().data, fresh.picture().data);
+    EXPECT_NE(pipeline.picture().data, render(scene, scene.cameras[0], 1).data);
+    // Sizes, too, and all over again when asked.
     settings_.set(kWidth, 7);
     settings_.set(kHeight, 5);
+    pipeline.restart();
     pipeline.render(settings_, scene.cameras[0]);
     EXPECT_EQ(pipeline.picture().data, render(scene, scene.cameras[0], 1).data);
     settings_.set(kView, PictureKind::lit);

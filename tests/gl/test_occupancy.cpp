@@ -152,6 +152,25 @@ TEST_F(OccupancyTest, SmallTrianglesToo) {
     EXPECT_GT(check_against_cpu(scene, settings_, 0), 100u);
 }
 
+TEST_F(OccupancyTest, WallsNearlyAlongAnAxisToo) {
+    // Seen edge on, a wall's depth runs through the whole grid within a pixel.
+    std::mt19937 random(17);
+    for (const float tilt : {0.0f, 1e-5f, 2e-4f, 1e-3f, 5e-3f, 8e-3f, 0.02f, 0.1f}) {
+        SCOPED_TRACE(testing::Message() << "tilt " << tilt);
+        std::vector<glm::vec3> corners;
+        std::uniform_real_distribution<float> place(-1.0f, 1.0f);
+        for (int i = 0; i < 24; ++i) {
+            glm::vec3 normal(0.0f);
+            normal[i % 3] = i % 2 ? 1.0f : -1.0f;
+            const glm::vec3 centre(place(random), place(random), place(random));
+            const glm::vec3 turned = glm::normalize(normal + tilt * random_direction(random));
+            for (const glm::vec3 corner : rectangle(centre, turned, 0.3f + 0.2f * place(random)))
+                corners.push_back(corner);
+        }
+        check_against_cpu(scene_of_triangles(corners), settings_, 1);
+    }
+}
+
 TEST_F(OccupancyTest, FlatScenesHaveACell) {
     const Scene scene = scene_of_triangles(rectangle({1, 2, 3}, {0, 1, 0}, 5.0f));
     const GpuScene gpu_scene(scene);

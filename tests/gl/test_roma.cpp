@@ -12,13 +12,15 @@ namespace romascope {
 namespace {
 
 /// Traces given rays with the tracer's own GLSL. In: 4 vec4 per ray (point, normal, direction with
-/// t_max, candidate and sign). Out: any-hit, closest distance, both of the snapped direction.
+/// t_max, candidate and sign). Out: any-hit, closest distance, both of the snapped direction; and
+/// for the candidate in a place of the walk its map, the cosine to the normal, any-hit, distance.
 constexpr const char* kRayShader = R"(
 #include "tracer.glsl"
 layout(local_size_x = 64) in;
 struct Ray { vec4 point; vec4 normal; vec4 direction; ivec4 choice; };
 layout(std430, binding = 0) readonly buffer Rays { Ray rays[]; };
-layout(std430, binding = 1) writeonly buffer Results { vec4 results[]; };
+struct Result { vec4 given; vec4 chosen; };
+layout(std430, binding = 1) writeonly buffer Results { Result results[]; };
 uniform int count;
 void main() {
     int i = int(gl_GlobalInvocationID.x);
@@ -29,10 +31,14 @@ void main() {
     float t_max = ray.direction.w;
     int map = ray.choice.x;
     bool forward = ray.choice.y != 0;
-    results[i] = vec4(roma_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
+    results[i].given = vec4(roma_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
                       roma_closest_hit(map, forward, point, normal, t_max),
                       tracer_any_hit(point, normal, ray.direction.xyz, t_max) ? 1.0 : 0.0,
                       tracer_closest_hit(point, normal, ray.direction.xyz, t_max));
+    int place = i % TRACER_CANDIDATE_COUNT;
+    results[i].chosen = vec4(float(int(roma_candidates[place].w)), dot(tracer_candidate(place), normal),
+                     tracer_candidate_any_hit(place, point, normal, t_max) ? 1.0 : 0.0,
+                     tracer_candidate_closest_hit(place, point, normal, t_max));
 }
 )";
 
@@ -89,7 +95,11 @@ protected:
         return rays;
     }
 
-    std::vector<glm::vec4> trace_on_gpu(const std::vector<Ray>& rays) {
+    struct Result {
+        glm::vec4 given, chosen; ///< as the shader above writes them
+    };
+
+    std::vector<Result> trace_on_gpu(const std::vector<Ray>& rays) {
         shaders_.add("test/rays.comp.glsl", kRayShader);
         ProgramSlot slot;
         const Program& program = slot.get(shaders_, {"rays",
@@ -97,14 +107,14 @@ protected:
                                                      tracer_->shader_defines(settings_),
                                                      {{"tracer.glsl", tracer_->shader_file()}}});
         const Buffer in = Buffer::from("rays", std::span(rays));
-        const Buffer out("results", rays.size() * sizeof(glm::vec4));
+        const Buffer out("results", rays.size() * sizeof(Result));
         program.use();
         program.set("count", static_cast<int>(rays.size()));
         in.bind(GL_SHADER_STORAGE_BUFFER, 0);
         out.bind(GL_SHADER_STORAGE_BUFFER, 1);
-        tracer_->bind();
+        tracer_->bind(program);
         program.dispatch_covering({static_cast<int>(rays.size()), 1, 1});
-        return out.download<glm::vec4>();
+        return out.download<Result>();
     }
 
     gpu::RomaRay on_cpu(const Ray& ray, int map, bool forward) const {
@@ -147,21 +157,26 @@ TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
 TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
     prepare(GetParam(), 12);
     const std::vector<Ray> rays = random_rays(20000);
-    const std::vector<glm::vec4> results = trace_on_gpu(rays);
+    const std::vector<Result> results = trace_on_gpu(rays);
     size_t hits = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         const int map = rays[i].choice.x;
         const bool forward = rays[i].choice.y != 0;
         const bool hit =
             any_hit_on_cpu(maps_[static_cast<size_t>(map)], on_cpu(rays[i], map, forward));
-        ASSERT_EQ(results[i].x != 0.0f, hit) << "ray " << i;
-        ASSERT_EQ(results[i].y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
+        const auto& [given, chosen] = results[i];
+        ASSERT_EQ(given.x != 0.0f, hit) << "ray " << i;
+        ASSERT_EQ(given.y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
         const glm::vec3 direction(rays[i].direction);
         const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
         const bool along =
             gpu::roma_is_forward(maps_[static_cast<size_t>(stratum)].direction, direction);
-        ASSERT_EQ(results[i].w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
-        ASSERT_EQ(results[i].z != 0.0f, results[i].w >= 0.0f) << "ray " << i;
+        ASSERT_EQ(given.w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
+        ASSERT_EQ(given.z != 0.0f, given.w >= 0.0f) << "ray " << i;
+        // The candidate of the walk, turned to the side of the normal.
+        const int walked = static_cast<int>(chosen.x);
+        ASSERT_EQ(chosen.w, distance_on_cpu(rays[i], walked, chosen.y >= 0.0f)) << "ray " << i;
+        ASSERT_EQ(chosen.z != 0.0f, chosen.w >= 0.0f) << "ray " << i;
         hits += hit;
     }
     EXPECT_GT(hits, rays.size() / 20);
@@ -170,11 +185,19 @@ TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
 
 /// Walks the cells of the aligned map that a ray passes, in double precision and world space: the
 /// centre of each is looked up in the base grid. Nothing if rounding could decide either way.
-std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, const Bounds& bounds,
-                           glm::dvec3 direction, bool forward, int side, double offset,
+std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, glm::dvec3 centre,
+                           const gpu::RomaDirection& map, bool forward, int side, double offset,
                            glm::dvec3 point, glm::dvec3 normal, double t_max, bool& ambiguous) {
-    // The box is an input of the test, as its shape is a choice and no claim.
-    const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, direction, side);
+    // Turn and size of the map are read from its description: they are a choice and no claim.
+    struct {
+        glm::dvec3 centre, cell;
+        glm::dmat3 axes;
+    } box{centre, {}, {}};
+    const glm::dvec3 rows[] = {glm::vec3(map.row_u), glm::vec3(map.row_v), glm::vec3(map.row_w)};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.cell[axis] = 1.0 / glm::length(rows[axis]);
+        box.axes[axis] = rows[axis] * box.cell[axis];
+    }
     const auto to_box = [&](glm::dvec3 p) {
         return glm::transpose(box.axes) * (p - box.centre) / box.cell + 0.5 * side;
     };
@@ -212,21 +235,23 @@ std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, const
 TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     prepare(GetParam(), 13);
     const std::vector<Ray> rays = random_rays(20000);
+    const std::vector<Result> results = trace_on_gpu(rays);
     const double longest_turn =
         glm::length(glm::dvec3(bounds_.extent()) + 2.0 * grid_.cell_size) / GetParam().side;
     const double offset = settings_.get(kRomaNormalOffset) * longest_turn;
     size_t compared = 0, hits = 0;
-    for (const Ray& ray : rays) {
-        const int map = ray.choice.x;
-        const bool forward = ray.choice.y != 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const Ray& ray = rays[i];
         bool ambiguous = false;
         const auto expected =
-            walk(base_, grid_, bounds_, tracer_->candidates()[static_cast<size_t>(map)], forward,
-                 GetParam().side, offset, ray.point, ray.normal, ray.direction.w, ambiguous);
+            walk(base_, grid_, bounds_.centre(), maps_[static_cast<size_t>(ray.choice.x)].direction,
+                 ray.choice.y != 0, GetParam().side, offset, ray.point, ray.normal, ray.direction.w,
+                 ambiguous);
         if (ambiguous)
             continue;
-        const float distance = distance_on_cpu(ray, map, forward);
+        const float distance = results[i].given.y;
         ASSERT_EQ(expected.has_value(), distance >= 0.0f);
+        ASSERT_EQ(expected.has_value(), results[i].given.x != 0.0f);
         if (expected) {
             ASSERT_NEAR(*expected, distance, 1e-3 * grid_.cell_size);
         }

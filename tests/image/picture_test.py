@@ -35,7 +35,7 @@ def arguments():
 
 
 def render(args, output):
-    command = [args.program, "render", *args.render, "--backend", args.backend, "-o", str(output)]
+    command = [args.program, "render", *args.render, "--backend", args.backend, "--gl-debug", "-o", str(output)]
     print(" ".join(command))
     result = subprocess.run(command, stdin=subprocess.DEVNULL)
     if result.returncode != 0:

@@ -3,14 +3,23 @@
 
 #include "shaders/common/random.h"
 
+#include <cmath>
+
 namespace romascope {
 
 std::vector<const KnobBase*> ambient_occlusion_knobs() { return {&kAoRadius, &kAoRays}; }
 
+float ambient_occlusion_radius(const Settings& settings) {
+    const double radius = settings.get(kAoRadius);
+    constexpr float kInfinity = std::numeric_limits<float>::infinity();
+    return radius > std::numeric_limits<float>::max() ? kInfinity : static_cast<float>(radius);
+}
+
 ShaderVariant AmbientOcclusion::variant(const Settings& settings, const Tracer& tracer) {
     std::vector<ShaderDefine> defines = tracer.shader_defines(settings);
-    for (ShaderDefine& define : shader_defines(settings, {&kAoRadius, &kAoRays}))
+    for (ShaderDefine& define : shader_defines(settings, {&kAoRays}))
         defines.push_back(std::move(define));
+    defines.push_back({"AO_UNBOUNDED", std::isinf(ambient_occlusion_radius(settings)) ? "1" : "0"});
     defines.push_back({"SAMPLE_CANDIDATES", tracer.sample_candidates(settings) ? "1" : "0"});
     return {"ambient occlusion",
             {{GL_COMPUTE_SHADER, "estimators/ambient_occlusion.comp.glsl"}},
@@ -31,10 +40,11 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
     program.set("seed_key", gpu::pcg_hash(frame.seed));
     program.set("frame", frame.frame);
     gbuffer.bind_surface();
-    tracer.bind();
+    program.set("radius", ambient_occlusion_radius(frame.settings));
+    tracer.bind(program);
     visibility_.bind_image(0, GL_WRITE_ONLY);
     program.dispatch_covering(extent);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 } // namespace romascope

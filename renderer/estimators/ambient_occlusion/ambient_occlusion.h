@@ -29,6 +29,9 @@ inline const Knob<int> kAoRays{{.key = "ao.rays",
 
 std::vector<const KnobBase*> ambient_occlusion_knobs();
 
+/// ao.radius as a float, in metres; what is beyond floats is infinite.
+float ambient_occlusion_radius(const Settings& settings);
+
 /// The share of cosine-distributed rays that meet nothing within the radius (Zeng et al. 2023,
 /// equation 1), for one frame; with any tracer.
 class AmbientOcclusion {

@@ -47,6 +47,7 @@ void OccupancyMap::build(const FrameContext& frame) {
     const Program& program = program_.get(frame.shaders, variant());
 
     auto pass = frame.timer.raster("occupancy map");
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT); // the last frame's atomics come before
     texture_.clear_uint(0);
     framebuffer_.bind();
     glDisable(GL_DEPTH_TEST);
@@ -62,7 +63,7 @@ void OccupancyMap::build(const FrameContext& frame) {
         glViewport(0, 0, grid_.size[(axis + 1) % 3], grid_.size[(axis + 2) % 3]);
         frame.scene.draw();
     }
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 BitGrid OccupancyMap::download() const { return BitGrid(grid_.size, texture_.download_uint(1)); }

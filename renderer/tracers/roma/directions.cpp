@@ -62,8 +62,10 @@ std::vector<glm::dvec3> candidate_directions(int side, bool jitter, uint32_t see
         for (int column = 0; column < side; ++column) {
             glm::dvec2 place(0.5);
             if (jitter) {
+                // Apart from the numbers that pixels draw with the same seed.
+                constexpr uint32_t kSalt = 0x726f6d61u;
                 const auto index = static_cast<uint32_t>(directions.size());
-                const uint32_t x = gpu::pixel_hash({index, frame}, gpu::pcg_hash(seed));
+                const uint32_t x = gpu::pixel_hash({index, frame}, gpu::pcg_hash(seed ^ kSalt));
                 place = {gpu::unit_float(x), gpu::unit_float(gpu::pcg_hash(x))};
             }
             directions.push_back(

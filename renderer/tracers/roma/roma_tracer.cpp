@@ -33,10 +33,6 @@ std::vector<ShaderDefine> layout_defines(int side) {
             {"ROMA_FORMAT", layout.glsl_format}};
 }
 
-bool current_device_is_software() {
-    return is_software_renderer(reinterpret_cast<const char*>(glGetString(GL_RENDERER)));
-}
-
 ShaderVariant rotate_variant(const Settings& settings, bool by_word) {
     const int side = settings.get(kOccupancyResolution);
     std::vector<ShaderDefine> defines = layout_defines(side);
@@ -66,7 +62,7 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
     resize_maps();
     const RomaRotateBy by = frame.settings.get(kRomaRotateBy);
     const bool by_word =
-        by == RomaRotateBy::word || (by == RomaRotateBy::device && !current_device_is_software());
+        by == RomaRotateBy::word || (by == RomaRotateBy::device && !is_software_context());
     const Program& program = rotate_.get(frame.shaders, rotate_variant(frame.settings, by_word));
 
     auto pass = frame.timer.compute("roma rotation");
@@ -77,7 +73,7 @@ void RomaTracer::rotate(const FrameContext& frame, const Texture& base, const Oc
     map_texture_.bind_image(0, GL_WRITE_ONLY);
     const int invocations_per_texel = by_word ? layout_of(side_).words_per_texel : 1;
     program.dispatch_covering(map_texture_.size() * glm::ivec3(1, 1, invocations_per_texel));
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 /// Draws this frame's candidates and tells the shaders.
@@ -125,7 +121,7 @@ bool RomaTracer::sample_candidates(const Settings& settings) const {
     return settings.get(kRomaSampling) == RomaSampling::candidates;
 }
 
-void RomaTracer::bind() const {
+void RomaTracer::bind(const Program&) const {
     map_texture_.bind(4);
     direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
     candidate_buffer_.bind(GL_UNIFORM_BUFFER, 4);

@@ -57,19 +57,21 @@ inline const Knob<RomaRotateBy> kRomaRotateBy{
 std::vector<const KnobBase*> roma_knobs();
 
 /// Ray-aligned occupancy map array: the base occupancy map rotated to each of a few candidate
-/// directions, so that a ray along one of them is a range of bits (Zeng et al. 2023).
+/// directions, so that a ray along one of them is a range of bits (Zeng et al. 2023). The view box
+/// of each map, which the paper leaves open, fits the scene at that turn; so its cells are smaller
+/// than those of a cube that encloses the scene at any turn, in which the normal offset still
+/// counts.
 class RomaTracer final : public Tracer {
 public:
     void build(const FrameContext& frame) override;
     std::string shader_file() const override { return "tracers/roma/roma_tracer.glsl"; }
     std::vector<ShaderDefine> shader_defines(const Settings& settings) const override;
     bool sample_candidates(const Settings& settings) const override;
-    void bind() const override;
+    void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
     std::vector<ShaderVariant> build_variants(const Settings& settings) const override;
 
     // What was built, for tests and for views.
-    const OccupancyMap& occupancy() const { return occupancy_; }
     const std::vector<glm::dvec3>& candidates() const { return candidates_; }
     const std::vector<gpu::RomaDirection>& maps() const { return directions_; }
     /// Words of map `index`, ordered as AlignedMap has them.

@@ -67,7 +67,9 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     RomaSpan span;
     float limit = float(side);
     // Clamped before they become integers, which infinities and far points could not.
-    int from = int(floor(clamp(start.z, -1.0f, limit)));
+    // A ray that starts on a face between two cells is in the one ahead of it.
+    float at = clamp(start.z, -1.0f, limit + 1.0f);
+    int from = forward ? int(floor(at)) : int(ceil(at)) - 1;
     span.column =
         ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
     span.first = forward ? from : 0;

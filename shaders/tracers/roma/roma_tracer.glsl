@@ -11,7 +11,6 @@
 #include "shaders/tracers/roma/concentric.h"
 #include "shaders/tracers/roma/roma_shared.h"
 
-#define TRACER_HAS_CANDIDATES 1
 #define TRACER_CANDIDATE_COUNT (ROMA_ANGULAR_RESOLUTION * ROMA_ANGULAR_RESOLUTION)
 #define ROMA_WORDS (ROMA_WORDS_PER_TEXEL * ROMA_LAYERS_PER_MAP)
 
