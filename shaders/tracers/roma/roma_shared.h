@@ -69,7 +69,8 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     // Clamped before they become integers, which infinities and far points could not.
     // A ray that starts on a face between two cells is in the one ahead of it.
     float at = clamp(start.z, -1.0f, limit + 1.0f);
-    int from = forward ? int(floor(at)) : int(ceil(at)) - 1;
+    int below = int(floor(forward ? at : -at));
+    int from = forward ? below : -below - 1;
     span.column =
         ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
     span.first = forward ? from : 0;
