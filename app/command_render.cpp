@@ -17,6 +17,7 @@
 
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <fstream>
 #include <memory>
@@ -41,7 +42,11 @@ struct RenderOptions {
 
 void set_size(Settings& settings, const std::string& text) {
     const size_t x = text.find('x');
-    if (x == std::string::npos)
+    const auto is_malformed = [](const std::string& number) {
+        return number.find_first_not_of("-0123456789") != std::string::npos || number.empty();
+    };
+    if (x == std::string::npos || is_malformed(text.substr(0, x)) ||
+        is_malformed(text.substr(x + 1)))
         throw Error(fmt::format("--size '{}' is not of the form WIDTHxHEIGHT, like 1280x720", text),
                     kBadInput);
     settings.set_text(kWidth.key(), text.substr(0, x));
@@ -70,12 +75,12 @@ Settings effective_settings(const RenderOptions& options) {
 
 /// What can be refused before any work is done.
 void check_outputs(const RenderOptions& options, const Settings& settings) {
-    if (options.output.empty() && options.report.empty() && !options.table)
+    const bool wants_reference = !options.reference_output.empty() || !options.error_map.empty();
+    if (options.output.empty() && options.report.empty() && !options.table && !wants_reference)
         throw Error("nothing to do: give -o FILE, --report FILE or --table", kBadInput);
     for (const fs::path& picture : {options.output, options.reference_output, options.error_map})
         if (!picture.empty())
             check_image_extension(picture);
-    const bool wants_reference = !options.reference_output.empty() || !options.error_map.empty();
     if (wants_reference && !options.reference_samples)
         throw Error("--reference-output and --error-map need --reference N", kBadInput);
     if (options.reference_samples &&
@@ -111,10 +116,32 @@ void check_memory(const Settings& settings) {
                                 available / (1 << 30)));
 }
 
-void show_progress(double fraction) {
-    fmt::print(stderr, "\rreference {:3.0f} %{}", 100.0 * fraction, fraction >= 1.0 ? "\n" : "");
+/// On one line of a terminal that is written over and over.
+void show_progress(const char* what, double fraction) {
+    fmt::print(stderr, "\r{} {:3.0f} %{}", what, 100.0 * fraction, fraction >= 1.0 ? "\n" : "");
     std::fflush(stderr);
 }
+
+/// Tells how far the frames are, on a terminal, where they take longer than one is glad to wait.
+class FrameProgress {
+public:
+    explicit FrameProgress(int frames) : frames_(frames) {}
+    void done(int frame) {
+        const auto now = std::chrono::steady_clock::now();
+        const bool last = frame == frames_;
+        if (!terminal_ || (last ? !shown_ : now - told_ < std::chrono::seconds(1)))
+            return;
+        told_ = now;
+        shown_ = true;
+        show_progress("frames", static_cast<double>(frame) / frames_);
+    }
+
+private:
+    const bool terminal_ = isatty(STDERR_FILENO);
+    const int frames_;
+    bool shown_ = false;
+    std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
+};
 
 AoReference compute_reference(const Scene& scene, const Camera& camera, const Settings& settings,
                               const RenderOptions& options) {
@@ -126,7 +153,9 @@ AoReference compute_reference(const Scene& scene, const Camera& camera, const Se
     query.pixel_jitter = settings.get(kAntialias);
     // The truth does not follow the seed of what it judges.
     return ambient_occlusion_reference(
-        scene, query, isatty(STDERR_FILENO) ? show_progress : std::function<void(double)>{},
+        scene, query,
+        isatty(STDERR_FILENO) ? [](double fraction) { show_progress("reference", fraction); }
+                              : std::function<void(double)>{},
         {.use_cache = !options.no_cache});
 }
 
@@ -163,10 +192,12 @@ int render(const RenderOptions& options) {
         log.emplace();
     Pipeline pipeline(scene,
                       options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
+    FrameProgress progress(settings.get(kFrames));
     for (int frame = 0; frame < settings.get(kFrames); ++frame) {
         if (frame == 1)
             pipeline.timer().clear(); // the first frame compiled the shaders
         pipeline.render(settings, camera);
+        progress.done(frame + 1);
     }
     pipeline.timer().finish();
     const Image picture = pipeline.picture();
@@ -195,6 +226,8 @@ int render(const RenderOptions& options) {
         write_file_atomically(options.report, report_json(facts));
     if (options.table)
         fmt::print("{}", report_table(facts));
+    else if (facts.errors && options.report.empty())
+        fmt::print("{}", error_table(*facts.errors)); // asked for, and nobody would be told
     return 0;
 }
 
@@ -208,7 +241,8 @@ Command add_render_command(CLI::App& app) {
         ->type_name("")
         ->capture_default_str();
     command
-        ->add_option("-o,--output", options->output, "picture: .png (sRGB) or .hdr (linear floats)")
+        ->add_option("-o,--output", options->output,
+                     "picture: .png (sRGB) or .hdr (linear floats); missing folders are made")
         ->type_name("FILE");
     command
         ->add_option("--technique", options->technique,
@@ -225,7 +259,7 @@ Command add_render_command(CLI::App& app) {
         ->allow_extra_args(false);
     command
         ->add_option("--camera", options->camera,
-                     "a camera of the scene, or eye/target/fov like 1,2,3/0,0,0/60")
+                     "a camera of the scene, or eye/target/vertical fov like 1,2,3/0,0,0/60")
         ->type_name("CAMERA");
     command->add_option("--size", options->size, "width and height in pixels, like 1280x720")
         ->type_name("WxH");

@@ -2,6 +2,7 @@
 #include "app/report.h"
 
 #include "app/build_facts.h"
+#include "renderer/frame/technique.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -90,31 +91,51 @@ std::string report_json(const ReportFacts& facts) {
     return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string error_table(const ReportErrors& errors) {
+    std::string text = fmt::format("against {} samples per pixel ({})\n", errors.samples,
+                                   errors.reference_from_cache
+                                       ? "from the cache"
+                                       : fmt::format("{:.1f} s", errors.reference_seconds));
+    text += fmt::format("{:<20} {:>12.6f}\n", "FLIP", errors.flip);
+    text += fmt::format("{:<20} {:>12.6f}\n", "RMSE", errors.rmse);
+    text += fmt::format("{:<20} {:>12.6f}\n", "MAE", errors.mae);
+    text += fmt::format("{:<20} {:>+12.6f}\n", "signed bias", errors.bias);
+    return text;
+}
+
 std::string report_table(const ReportFacts& facts) {
-    std::string text =
-        fmt::format("{:<20} {:>12} {:>12} {:>5}\n", "pass", "median ms", "p95 ms", "n");
+    const Settings& settings = *facts.settings;
+    std::string text = fmt::format(
+        "{}, camera {}, {}x{}, {} frames, seed {}{}\n\n", facts.scene->name, facts.camera.name,
+        settings.get(kWidth), settings.get(kHeight), settings.get(kFrames), settings.get(kSeed),
+        facts.technique.empty() ? "" : fmt::format(", technique {}", facts.technique));
+    text += fmt::format("{:<20} {:>12} {:>12} {:>5}\n", "pass", "median ms", "p95 ms", "n");
+    double total_ms = 0;
     for (const PassTiming& timing : facts.timings) {
-        if (timing.milliseconds.empty())
+        if (timing.milliseconds.empty()) {
             text += fmt::format("{:<20} {:>12} {:>12} {:>5}\n", timing.pass, "n/a", "n/a", 0);
-        else
-            text += fmt::format("{:<20} {:>12.4f} {:>12.4f} {:>5}{}\n", timing.pass,
-                                timing.median(), timing.percentile_95(), timing.milliseconds.size(),
-                                timing.rasterises ? "  rasterises" : "");
+            continue;
+        }
+        total_ms += timing.median();
+        text += fmt::format("{:<20} {:>12.4f} {:>12.4f} {:>5}{}\n", timing.pass, timing.median(),
+                            timing.percentile_95(), timing.milliseconds.size(),
+                            timing.rasterises ? "  rasterises" : "");
     }
+    text += fmt::format("{:<20} {:>12.4f}\n", "sum of medians", total_ms);
+    if (settings.get(kFrames) == 1)
+        text += "one frame only: its times include compiling the shaders\n";
     text += fmt::format("clock: {}; {}\n\n{:<20} {:>12}\n", name_of(facts.clock),
                         facts.driver.renderer, "structure", "bytes");
-    for (const StructureBytes& structure : facts.bytes)
+    size_t total_bytes = 0;
+    for (const StructureBytes& structure : facts.bytes) {
         text += fmt::format("{:<20} {:>12}\n", structure.name, structure.bytes);
-    if (facts.errors)
-        text +=
-            fmt::format("\nagainst {} samples per pixel ({})\n{:<20} {:>12.6f}\n{:<20} {:>12.6f}\n"
-                        "{:<20} {:>12.6f}\n{:<20} {:>+12.6f}\n",
-                        facts.errors->samples,
-                        facts.errors->reference_from_cache
-                            ? "from the cache"
-                            : fmt::format("{:.1f} s", facts.errors->reference_seconds),
-                        "FLIP", facts.errors->flip, "RMSE", facts.errors->rmse, "MAE",
-                        facts.errors->mae, "signed bias", facts.errors->bias);
+        total_bytes += structure.bytes;
+    }
+    text += fmt::format("{:<20} {:>12}\n", "sum", total_bytes);
+    if (facts.errors) {
+        text += '\n';
+        text += error_table(*facts.errors);
+    }
     return text;
 }
 

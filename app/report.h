@@ -43,6 +43,9 @@ struct ReportFacts {
 /// Pretty-printed JSON, keys in a fixed order.
 std::string report_json(const ReportFacts& facts);
 
+/// The errors for people, a line each.
+std::string error_table(const ReportErrors& errors);
+
 /// The same for people: a table of passes, structures and errors.
 std::string report_table(const ReportFacts& facts);
 

@@ -46,7 +46,8 @@ Camera chosen_camera(const Scene& scene, const Settings& settings) {
     const std::string text = settings.get(kCamera);
     if (text.empty())
         return scene.cameras.front();
-    return text.find('/') == std::string::npos ? scene.camera(text) : parse_camera(text);
+    // Commas are no part of a sensible name: numbers were meant, and the form is what is wrong.
+    return text.find_first_of("/,") == std::string::npos ? scene.camera(text) : parse_camera(text);
 }
 
 Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)

@@ -50,8 +50,9 @@ inline const Knob<int64_t> kSeed{
 inline const Knob<std::string> kCamera{
     {.key = "render.camera",
      .unit = "",
-     .help = "A camera of the scene by name, or eye/target/fov (metres, metres, degrees) like "
-             "1,2,3/0,0,0/60; empty: the scene's first.",
+     .help =
+         "A camera of the scene by name, or eye/target/vertical fov (metres, metres, degrees) like "
+         "1,2,3/0,0,0/60; empty: the scene's first.",
      .source = "the first camera shows the scene best"},
     ""};
 

@@ -74,7 +74,10 @@ void add_egl(std::vector<Candidate>& list, std::vector<std::string>& refusals) {
                     {fmt::format("egl device {} ({})", i, devices[i].label),
                      [i](bool debug) { return create_egl_context(static_cast<int>(i), debug); }});
     };
+    const size_t before = list.size();
     add_devices(false);
+    if (list.size() == before)
+        refusals.push_back("egl: no hardware device");
     list.push_back(
         {"egl surfaceless", [](bool debug) { return create_egl_context(std::nullopt, debug); }});
     add_devices(true);
@@ -87,10 +90,16 @@ std::unique_ptr<Context> first_that_works(const std::vector<Candidate>& candidat
         try {
             std::unique_ptr<Context> context = candidate.make(debug);
             require_version();
-            if (story)
+            if (story) {
+                if (!GLAD_GL_VERSION_4_6)
+                    refusals.push_back("OpenGL 4.6: this driver offers less");
+                for (const Candidate* next = &candidate + 1;
+                     next < candidates.data() + candidates.size(); ++next)
+                    refusals.push_back(next->name + ": not needed");
                 *story = fmt::format(
                     "using {}: {}{}", context->description(), renderer_line(),
                     refusals.empty() ? "" : fmt::format(" ({})", fmt::join(refusals, "; ")));
+            }
             return context;
         } catch (const Error& error) {
             refusals.push_back(fmt::format("{}: {}", candidate.name, error.what()));

@@ -39,7 +39,7 @@ void check_comparable(const Image& reference, const Image& test) {
         !supported(test))
         throw Error("cannot compare: the reference image is " + size_text(reference) +
                         ", the test image is " + size_text(test) +
-                        "; both need the same size and 1 or 3 channels",
+                        "; both need the same size, and 1 or 3 channels each",
                     kBadInput);
     check_finite(reference, "reference");
     check_finite(test, "test");
