@@ -45,13 +45,13 @@ class Words(CliTest):
 
 class Values(CliTest):
     def test_size(self):
-        for size in ("abc", "64", "64X48", "64,48", " "):
+        for size in ("abc", "64", "64X48", "64,48", " ", "1.5x10", "x10", "10x", "10x10x10",
+                     "ax1"):
             with self.subTest(size):
                 self.refuse_render_of_size(size, "WIDTHxHEIGHT")
         for size, key in (("0x10", "width"), ("10x0", "height"), ("-5x10", "width"),
-                          ("16385x10", "width"), ("10x16385", "height"), ("1.5x10", "width"),
-                          ("x10", "width"), ("10x", "height"), ("10x10x10", "height"),
-                          ("9999999999999999999999x1", "width"), ("ax1", "width")):
+                          ("16385x10", "width"), ("10x16385", "height"),
+                          ("9999999999999999999999x1", "width")):
             with self.subTest(size):
                 self.refuse_render_of_size(size, f"render.{key}", "1 to 16384")
 
