@@ -85,6 +85,24 @@ TEST_F(AmbientOcclusionTest, AWallIsSeenAsTheReferenceSeesIt) {
     }
 }
 
+TEST_F(AmbientOcclusionTest, ALidIsWeighedByItsCosineWhateverTheNormal) {
+    // A lid closes the directions about the normal, which count most. The normal lies askew to the
+    // strata, so that candidates taken for one another would not go unnoticed.
+    settings_.set(kAoRays, 16);
+    const glm::vec3 normal = glm::normalize(glm::vec3(1.0f, 1.0f, 0.3f));
+    std::vector<glm::vec3> corners = rectangle({0, 0, 0}, normal, 2.0f);
+    for (const glm::vec3 corner : rectangle(1.2f * normal, -normal, 0.8f))
+        corners.push_back(corner);
+    const Scene scene = scene_of_triangles(corners);
+    const Camera camera = look_at("under", 0.6f * normal, {0, 0, 0}, 0.05f);
+    const double truth =
+        mean(ambient_occlusion_reference(scene, {camera, {32, 24}, 256}, {}, {.use_cache = false})
+                 .visibility);
+    // Along a slanted direction the map's samples lie up to 1.37 cells apart across a sheet of one
+    // cell, which lets up to 27 % of the closed rays pass; noise of 32 frames as above.
+    EXPECT_NEAR(mean(render(scene, camera, 32)), truth, 0.03 + 0.27 * (1 - truth));
+}
+
 TEST_F(AmbientOcclusionTest, NothingBeyondTheRadiusOccludes) {
     std::vector<glm::vec3> corners = rectangle({0, 0, 0}, {0, 1, 0}, 2.0f);
     const std::vector<glm::vec3> ceiling = rectangle({0, 2, 0}, {0, -1, 0}, 2.0f);
