@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/base/memory.h"
 #include "renderer/base/nearest_name.h"
 
 #include <algorithm>
@@ -279,4 +280,41 @@ TEST(NearestName, EveryNameIsNearestToItselfAndToOneSlip) {
 }
 
 } // namespace
+TEST(Memory, amounts_are_read_and_written) {
+    EXPECT_EQ(parse_bytes("1234"), 1234u);
+    EXPECT_EQ(parse_bytes("512MiB"), size_t{512} << 20);
+    EXPECT_EQ(parse_bytes("1.5 GiB"), size_t{3} << 29);
+    EXPECT_EQ(parse_bytes("2GB"), 2'000'000'000u);
+    for (const char* text :
+         {"", "0", "-1", "lots", "1 XiB", "4GiBs", "nan", "inf", "1e300GiB", "0x10"})
+        EXPECT_THROW(parse_bytes(text), Error) << text;
+    EXPECT_EQ(format_bytes(1023), "1023 B");
+    EXPECT_EQ(format_bytes(size_t{3} << 29), "1.5 GiB");
+    EXPECT_GT(free_memory(), size_t{1} << 20);
+    EXPECT_LT(default_memory_limit(), free_memory() + (size_t{1} << 30));
+}
+
+TEST(Memory, budget_refuses_before_it_overflows) {
+    MemoryBudget budget(1000);
+    budget.take(10, 60, "first");
+    EXPECT_EQ(budget.taken(), 600u);
+    EXPECT_THROW(budget.take(401, 1, "second"), Error);
+    EXPECT_THROW(budget.take(SIZE_MAX, SIZE_MAX, "third"), Error);
+    EXPECT_THROW(budget.take(SIZE_MAX / 2, 3, "fourth"), Error);
+    EXPECT_EQ(budget.taken(), 600u);
+    budget.take(400, 1, "the rest");
+    EXPECT_THROW(budget.take(1, 1, "one more"), Error);
+    budget.take(SIZE_MAX, 0, "nothing");
+    budget.give(500);
+    budget.take(500, 1, "again");
+    try {
+        budget.take(size_t{1} << 62, 1, "scene");
+        FAIL();
+    } catch (const Error& error) {
+        EXPECT_EQ(error.exit_status(), kBadInput);
+        EXPECT_NE(std::string(error.what()).find("--max-memory"), std::string::npos)
+            << error.what();
+    }
+}
+
 } // namespace romascope

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/scene/gltf_import.h"
+#include "renderer/scene/gltf/import.h"
 #include "renderer/scene/scene.h"
 
 #include <fmt/format.h>

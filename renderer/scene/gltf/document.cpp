@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/scene/gltf_file.h"
+#include "renderer/scene/gltf/document.h"
 
 #include "renderer/base/error.h"
 

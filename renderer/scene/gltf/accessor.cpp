@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/scene/gltf_accessor.h"
+#include "renderer/scene/gltf/accessor.h"
 
-#include "renderer/scene/gltf_file.h"
+#include "renderer/scene/gltf/document.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/scene/gltf_mesh.h"
+#include "renderer/scene/gltf/mesh.h"
 
-#include "renderer/scene/gltf_accessor.h"
-#include "renderer/scene/gltf_file.h"
+#include "renderer/scene/gltf/accessor.h"
+#include "renderer/scene/gltf/document.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "renderer/scene/gltf_import.h"
+#include "renderer/scene/gltf/import.h"
 
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
-#include "renderer/scene/gltf_accessor.h"
-#include "renderer/scene/gltf_file.h"
-#include "renderer/scene/gltf_mesh.h"
+#include "renderer/scene/gltf/accessor.h"
+#include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/mesh.h"
 
 #include <fmt/format.h>
 #include <glm/gtc/constants.hpp>
@@ -297,8 +297,11 @@ std::string one_line(const std::string& text) {
 } // namespace
 } // namespace gltf
 
-Scene load_gltf(const std::filesystem::path& path) {
-    const std::string content = read_text_file(path);
+Scene load_gltf(const std::filesystem::path& path, size_t max_memory) {
+    return import_gltf(read_text_file(path), path, max_memory);
+}
+
+Scene import_gltf(std::string content, const std::filesystem::path& path, size_t) {
     try {
         tinygltf::Model model;
         gltf::parse(content, path, model);
