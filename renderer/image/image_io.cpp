@@ -4,6 +4,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/image/color.h"
+#include "renderer/image/picture.h"
 
 #include <algorithm>
 #include <cctype>
@@ -112,19 +113,6 @@ bool hdr_is_complete(std::string_view bytes, size_t width, size_t height) {
     return at <= bytes.size();
 }
 
-enum class Format { png, jpeg, hdr, unknown };
-
-/// By content. stb_image would also take formats whose test lets almost any file pass (TGA).
-Format format_of(std::string_view bytes) {
-    if (bytes.starts_with("\x89PNG\r\n\x1a\n"))
-        return Format::png;
-    if (bytes.starts_with("\xff\xd8\xff"))
-        return Format::jpeg;
-    if (bytes.starts_with("#?RADIANCE\n") || bytes.starts_with("#?RGBE\n"))
-        return Format::hdr;
-    return Format::unknown;
-}
-
 struct FreePixels {
     void operator()(void* pixels) const { stbi_image_free(pixels); }
 };
@@ -158,8 +146,8 @@ Image read_image(const fs::path& path) {
     const auto fail = [&](const std::string& why) {
         return Error("cannot read " + path.string() + ": " + why, kBadInput);
     };
-    const Format format = format_of(bytes);
-    if (format == Format::unknown)
+    const PictureFormat format = picture_format(bytes);
+    if (format == PictureFormat::unknown)
         throw fail(bytes.empty() ? "the file is empty" : "not a .png, .jpg or .hdr picture");
     if (bytes.size() > INT_MAX)
         throw fail("the file is larger than 2 GiB");
@@ -180,7 +168,7 @@ Image read_image(const fs::path& path) {
         image = Image(width, height, wanted);
         std::transform(pixels, pixels + image.data.size(), image.data.begin(), to_linear);
     };
-    if (format == Format::hdr) {
+    if (format == PictureFormat::hdr) {
         if (!hdr_is_complete(bytes, static_cast<size_t>(width), static_cast<size_t>(height)))
             throw fail("cut off or damaged (pixels are missing)");
         const Pixels<float> pixels(
@@ -191,8 +179,7 @@ Image read_image(const fs::path& path) {
             stbi_load_16_from_memory(data, size, &width, &height, &channels, wanted));
         fill(pixels.get(), [](stbi_us value) { return decode_srgb(value / 65535.0f); });
     } else {
-        // stb_image fills the missing part of a JPEG with grey; every whole one has an end marker.
-        if (format == Format::jpeg && bytes.rfind("\xff\xd9") == bytes.npos)
+        if (format == PictureFormat::jpeg && !jpeg_has_end(bytes))
             throw fail("cut off or damaged (no end marker)");
         const Pixels<stbi_uc> pixels(
             stbi_load_from_memory(data, size, &width, &height, &channels, wanted));
