@@ -4,7 +4,7 @@
 #include "app/scene_files.h"
 #include "renderer/frame/technique.h"
 #include "renderer/gl/capabilities.h"
-#include "renderer/scene/gltf_import.h"
+#include "renderer/scene/gltf/import.h"
 #include "renderer/tracers/tracer.h"
 
 #include <CLI/CLI.hpp>

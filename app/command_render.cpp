@@ -10,7 +10,7 @@
 #include "renderer/image/image_io.h"
 #include "renderer/metrics/compare.h"
 #include "renderer/reference/ao_reference.h"
-#include "renderer/scene/gltf_import.h"
+#include "renderer/scene/gltf/import.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
