@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-SCENES = ("cornell", "hall")
+SCENES = ("cornell", "hall", "thin")
 
 
 def main():

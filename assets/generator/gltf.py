@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Writes glTF 2.0 binary files (.glb): materials, meshes, nodes, cameras.
 
+Textures, lights and motion have modules of their own.
+
 https://registry.khronos.org/glTF/specs/2.0/glTF-2.0.html
 """
 
@@ -11,12 +13,12 @@ import struct
 import tempfile
 
 from . import vector as v
-from .mesh import with_normals
+from .mesh import Vertices
 
-FLOAT, UINT16, UINT32 = 5126, 5123, 5125
+FLOAT, UINT8, UINT16, UINT32 = 5126, 5121, 5123, 5125
 VERTICES, INDICES = 34962, 34963
 COMPONENTS = {"SCALAR": 1, "VEC2": 2, "VEC3": 3, "VEC4": 4, "MAT4": 16}
-FORMATS = {FLOAT: "f", UINT16: "H", UINT32: "I"}
+FORMATS = {FLOAT: "f", UINT8: "B", UINT16: "H", UINT32: "I"}
 
 
 class Document:
@@ -31,41 +33,53 @@ class Document:
             "scenes": [{"name": name, "nodes": []}],
         }
 
-    def _append(self, key, value):
+    def append(self, key, value):
+        """Adds to the array of that name."""
         values = self.root.setdefault(key, [])
         values.append(value)
         return len(values) - 1
 
-    def add_accessor(self, values, component, kind, target=None, bounds=False):
-        """Stores a list of tuples (of numbers for SCALAR) in a buffer view of its own.
-
-        `component`: FLOAT, UINT16 or UINT32; `kind`: a key of COMPONENTS; `target`: VERTICES,
-        INDICES or None; `bounds`: whether to write min and max.
-        """
-        rows = [(x,) for x in values] if kind == "SCALAR" else values
-        flat = [x for row in rows for x in row]
-        data = struct.pack(f"<{len(flat)}{FORMATS[component]}", *flat)
+    def add_view(self, data, target=None):
+        """A buffer view of its own for these bytes; `target`: VERTICES, INDICES or None."""
         self.binary += bytes(-len(self.binary) % 4)
         view = {"buffer": 0, "byteOffset": len(self.binary), "byteLength": len(data)}
         if target is not None:
             view["target"] = target
         self.binary += data
+        return self.append("bufferViews", view)
+
+    def add_accessor(
+        self, values, component, kind, target=None, bounds=False, normalized=False
+    ):
+        """Stores a list of tuples (of numbers for SCALAR) in a buffer view of its own.
+
+        `component`: a key of FORMATS; `kind`: a key of COMPONENTS; `target`: as `add_view`;
+        `bounds`: whether to write min and max; `normalized`: whether integers stand for [0, 1].
+        """
+        rows = [(x,) for x in values] if kind == "SCALAR" else values
+        flat = [x for row in rows for x in row]
+        data = struct.pack(f"<{len(flat)}{FORMATS[component]}", *flat)
         accessor = {
-            "bufferView": self._append("bufferViews", view),
+            "bufferView": self.add_view(data, target),
             "componentType": component,
             "count": len(rows),
             "type": kind,
         }
+        if normalized:
+            accessor["normalized"] = True
         if bounds:
             # Of the values as stored, rounded to their component type.
             size = COMPONENTS[kind]
             stored = struct.unpack(f"<{len(flat)}{FORMATS[component]}", data)
             accessor["min"] = [min(stored[i::size]) for i in range(size)]
             accessor["max"] = [max(stored[i::size]) for i in range(size)]
-        return self._append("accessors", accessor)
+        return self.append("accessors", accessor)
 
-    def add_material(self, name, color, emissive=None, roughness=0.9):
-        """`color`: linear reflectance, three numbers in [0, 1]; `emissive`: likewise, or None."""
+    def add_material(
+        self, name, color, emissive=None, roughness=0.9, double_sided=False, mask=None
+    ):
+        """`color`: linear reflectance, three numbers in [0, 1]; `emissive`: likewise, or None;
+        `mask`: a texture whose alpha below 0.5 is not there."""
         material = {
             "name": name,
             "pbrMetallicRoughness": {
@@ -76,36 +90,59 @@ class Document:
         }
         if emissive is not None:
             material["emissiveFactor"] = list(emissive)
-        return self._append("materials", material)
+        if double_sided:
+            material["doubleSided"] = True
+        if mask is not None:
+            material["pbrMetallicRoughness"]["baseColorTexture"] = {"index": mask}
+            material["alphaMode"] = "MASK"
+            material["alphaCutoff"] = 0.5
+        return self.append("materials", material)
 
-    def add_mesh(self, name, parts):
-        """`parts`: (material, Mesh or list of Mesh) pairs; one primitive for each material."""
+    def add_mesh(self, name, parts, **more):
+        """One primitive for each material.
+
+        `parts`: (material, pieces) pairs, pieces a Mesh, Vertices, or a list of them; those of one
+        material have the same attributes and morph targets. `more`: what else glTF knows.
+        """
         by_material = {}
-        for material, meshes in parts:
-            group = by_material.setdefault(material, [])
-            group += meshes if isinstance(meshes, list) else [meshes]
-        primitives = []
-        for material, meshes in by_material.items():
-            positions, normals, indices = [], [], []
-            for mesh in meshes:
-                more_positions, more_normals, more_indices = with_normals(mesh)
-                indices += [len(positions) + i for i in more_indices]
-                positions += more_positions
-                normals += more_normals
-            small = len(positions) < 65536
-            primitives.append(
-                {
-                    "attributes": {
-                        "POSITION": self.add_accessor(positions, FLOAT, "VEC3", VERTICES, True),
-                        "NORMAL": self.add_accessor(normals, FLOAT, "VEC3", VERTICES),
-                    },
-                    "indices": self.add_accessor(
-                        indices, UINT16 if small else UINT32, "SCALAR", INDICES
-                    ),
-                    "material": material,
-                }
+        for material, pieces in parts:
+            vertices = by_material.setdefault(material, Vertices())
+            for piece in pieces if isinstance(pieces, list) else [pieces]:
+                vertices.extend(piece if isinstance(piece, Vertices) else Vertices.of(piece))
+        primitives = [self._primitive(*item) for item in by_material.items()]
+        return self.append("meshes", {"name": name, "primitives": primitives, **more})
+
+    def _primitive(self, material, vertices):
+        attributes = {
+            "POSITION": self.add_accessor(vertices.positions, FLOAT, "VEC3", VERTICES, True),
+            "NORMAL": self.add_accessor(vertices.normals, FLOAT, "VEC3", VERTICES),
+        }
+        if vertices.texcoords:
+            attributes["TEXCOORD_0"] = self.add_accessor(
+                vertices.texcoords, FLOAT, "VEC2", VERTICES
             )
-        return self._append("meshes", {"name": name, "primitives": primitives})
+        if vertices.joints:
+            attributes["JOINTS_0"] = self.add_accessor(vertices.joints, UINT8, "VEC4", VERTICES)
+            attributes["WEIGHTS_0"] = self.add_accessor(
+                vertices.weights, UINT8, "VEC4", VERTICES, normalized=True
+            )
+        small = len(vertices.positions) < 65536
+        primitive = {
+            "attributes": attributes,
+            "indices": self.add_accessor(
+                vertices.indices, UINT16 if small else UINT32, "SCALAR", INDICES
+            ),
+            "material": material,
+        }
+        if vertices.targets:
+            primitive["targets"] = [
+                {
+                    "POSITION": self.add_accessor(moves, FLOAT, "VEC3", VERTICES, True),
+                    "NORMAL": self.add_accessor(turns, FLOAT, "VEC3", VERTICES),
+                }
+                for moves, turns in vertices.targets
+            ]
+        return primitive
 
     def add_node(self, name, mesh=None, at=(0.0, 0.0, 0.0), turn=0.0, parent=None, **more):
         """An instance of a mesh, or a group, or with `more` anything else that glTF knows.
@@ -120,7 +157,7 @@ class Document:
         if turn:
             half = math.radians(turn) / 2.0
             node["rotation"] = [0.0, round(math.sin(half), 7), 0.0, round(math.cos(half), 7) + 0.0]
-        index = self._append("nodes", node)
+        index = self.append("nodes", node)
         if parent is None:
             self.root["scenes"][0]["nodes"].append(index)
         else:
@@ -134,11 +171,11 @@ class Document:
             "type": "perspective",
             "perspective": {"yfov": round(math.radians(vertical_fov), 6), "znear": near},
         }
-        back = v.normalized(v.sub(eye, target))
-        right = v.normalized(v.cross((0.0, 1.0, 0.0), back))
-        rotation = _quaternion(right, v.cross(back, right), back)
         return self.add_node(
-            name, at=eye, camera=self._append("cameras", camera), rotation=rotation
+            name,
+            at=eye,
+            camera=self.append("cameras", camera),
+            rotation=looking(v.sub(target, eye)),
         )
 
     def triangle_count(self):
@@ -171,6 +208,13 @@ class Document:
         except BaseException:
             os.unlink(temporary)
             raise
+
+
+def looking(direction):
+    """Rotation (x, y, z, w) that takes -z into a direction and keeps x level."""
+    back = v.normalized(v.scale(direction, -1.0))
+    right = v.normalized(v.cross((0.0, 1.0, 0.0), back))
+    return _quaternion(right, v.cross(back, right), back)
 
 
 def _quaternion(x, y, z):

@@ -88,6 +88,42 @@ class Mesh:
         return self
 
 
+class Vertices:
+    """An indexed mesh. Lists per vertex; those that are empty are left out of the file.
+
+    `joints`, `weights`: four each, weights in 1/255 with the sum 255. `targets`: per morph target
+    two lists per vertex, how far it moves the position and how far the normal.
+    """
+
+    def __init__(self):
+        self.positions, self.normals, self.texcoords = [], [], []
+        self.joints, self.weights, self.targets = [], [], []
+        self.indices = []
+
+    @classmethod
+    def of(cls, mesh):
+        vertices = cls()
+        vertices.positions, vertices.normals, vertices.indices = with_normals(mesh)
+        return vertices
+
+    def extend(self, other):
+        self.indices += [len(self.positions) + i for i in other.indices]
+        for mine, more in (
+            (self.positions, other.positions),
+            (self.normals, other.normals),
+            (self.texcoords, other.texcoords),
+            (self.joints, other.joints),
+            (self.weights, other.weights),
+        ):
+            mine += more
+        if not self.targets:
+            self.targets = [([], []) for _ in other.targets]
+        for mine, more in zip(self.targets, other.targets):
+            mine[0].extend(more[0])
+            mine[1].extend(more[1])
+        return self
+
+
 def with_normals(mesh):
     """Splits the vertices at creases.
 

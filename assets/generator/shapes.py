@@ -199,3 +199,26 @@ def arch_path(x, spring, radius, z, jamb=0.0, segments=24):
 def straight_path(start, end, across=(0.0, 1.0, 0.0), out=(0.0, 0.0, 1.0)):
     """Two stations with fixed directions."""
     return [(start, across, out), (end, across, out)]
+
+
+def bar(start, end, width, height, up=(0.0, 1.0, 0.0)):
+    """Square-edged bar between two points; `height` is measured along `up`, which it must not
+    be parallel to."""
+    ahead = v.normalized(v.sub(end, start))
+    side = v.normalized(v.cross(ahead, up))
+    w, h = width / 2.0, height / 2.0
+    profile = [(-w, -h), (w, -h), (w, h), (-w, h)]
+    return moulding(profile, straight_path(start, end, side, v.cross(side, ahead)), crease=0.0)
+
+
+def rod(start, end, radius, segments=6):
+    """Round bar of one radius."""
+    return tube([start, end], [radius, radius], segments)
+
+
+def sheet(point, across, down, crease=60.0):
+    """A single surface without thickness: `point(s, t)` for s and t in [0, 1]; it faces the
+    direction of growing s x growing t."""
+    mesh = Mesh(crease)
+    mesh.grid([[point(i / across, j / down) for i in range(across + 1)] for j in range(down + 1)])
+    return mesh

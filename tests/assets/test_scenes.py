@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: MIT
+"""What the scenes promise: sizes, cameras, closed solids, and each scene's own purpose."""
+
+import collections
+import os
+import sys
+import unittest
+
+from glb_file import GlbFile
+
+ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
+sys.path.insert(0, ASSETS)
+from generate_scenes import SCENES  # noqa: E402
+
+# Where pieces of walls meet, an edge of one may be two edges of the other.
+JOINED_IN_PIECES = ("cornell", "hall")
+
+FILES = {name: GlbFile(os.path.join(ASSETS, name + ".glb")) for name in SCENES}
+
+
+def solids_of(file, mesh):
+    """The mesh's triangles of materials that have an inside, in pieces that hang together."""
+    triangles = []
+    for primitive in mesh["primitives"]:
+        if not file.root["materials"][primitive["material"]].get("doubleSided", False):
+            triangles += file.triangles(primitive)
+    leader = {}
+
+    def find(p):
+        while leader.setdefault(p, p) != p:
+            leader[p] = leader[leader[p]]
+            p = leader[p]
+        return p
+
+    for a, b, c in triangles:
+        leader[find(a)] = find(b)
+        leader[find(b)] = find(c)
+    pieces = collections.defaultdict(list)
+    for triangle in triangles:
+        pieces[find(triangle[0])].append(triangle)
+    return pieces.values()
+
+
+def volume(triangles):
+    origin = triangles[0][0]  # near the piece: of six digits that cancel, the rest would be noise
+    total = 0.0
+    for corners in triangles:
+        (ax, ay, az), (bx, by, bz), (cx, cy, cz) = (
+            tuple(x - o for x, o in zip(p, origin)) for p in corners
+        )
+        total += ax * (by * cz - bz * cy) + ay * (bz * cx - bx * cz) + az * (bx * cy - by * cx)
+    return total / 6.0
+
+
+class AllScenes(unittest.TestCase):
+    def test_total_size_is_below_6_megabytes(self):
+        self.assertLess(sum(file.size for file in FILES.values()), 6_000_000)
+
+    def test_each_has_three_named_cameras(self):
+        for name, file in FILES.items():
+            with self.subTest(scene=name):
+                cameras = [node["name"] for node in file.root["nodes"] if "camera" in node]
+                self.assertEqual(len(set(cameras)), 3)
+
+    def test_solids_are_closed_and_face_outward(self):
+        for name, file in FILES.items():
+            if name in JOINED_IN_PIECES:
+                continue
+            for mesh in file.root["meshes"]:
+                for piece in solids_of(file, mesh):
+                    with self.subTest(scene=name, mesh=mesh["name"], at=piece[0][0]):
+                        edges = collections.Counter()
+                        for a, b, c in piece:
+                            for p, q in ((a, b), (b, c), (c, a)):
+                                edges[p, q] += 1
+                                edges[q, p] -= 1
+                        self.assertFalse(any(edges.values()), "has open edges")
+                        self.assertGreater(volume(piece), 0.0)
+
+    def test_normals_are_of_unit_length(self):
+        for name, file in FILES.items():
+            for mesh in file.root["meshes"]:
+                for primitive in mesh["primitives"]:
+                    with self.subTest(scene=name, mesh=mesh["name"]):
+                        for normal in file.rows[primitive["attributes"]["NORMAL"]]:
+                            # Stored as floats: 1 to about 1e-7 for each component.
+                            self.assertAlmostEqual(sum(x * x for x in normal), 1.0, delta=1e-5)
+
+
+class Thin(unittest.TestCase):
+    def test_walls_are_one_cell_thick(self):
+        """At 128 cells along the longest side, which then is 127 cell sizes long (the 128th is
+        room for the shift), to 2 %: so that either count of cells per length is met."""
+        file = FILES["thin"]
+        low, high = file.bounds()
+        cell = max(b - a for a, b in zip(low, high)) / 128.0
+        walls = next(m for m in file.root["meshes"] if m["name"] == "walls")
+        pieces = list(solids_of(file, walls))
+        self.assertEqual(len(pieces), 5)
+        for piece in pieces:
+            columns = list(zip(*(p for triangle in piece for p in triangle)))
+            self.assertAlmostEqual(min(max(c) - min(c) for c in columns) / cell, 1.0, delta=0.02)
+
+    def test_has_single_sheets(self):
+        file = FILES["thin"]
+        sheets = 0
+        for mesh in file.root["meshes"]:
+            for primitive in mesh["primitives"]:
+                if file.root["materials"][primitive["material"]].get("doubleSided", False):
+                    edges = collections.Counter()
+                    for a, b, c in file.triangles(primitive):
+                        edges.update(((a, b), (b, c), (c, a)))
+                    sheets += any((b, a) not in edges for a, b in edges)
+        self.assertGreater(sheets, 10)
+
+
+if __name__ == "__main__":
+    unittest.main()
