@@ -143,6 +143,28 @@ private:
     std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };
 
+/// What the frames show: the pose and the camera of each in turn, made anew only as time goes on.
+class Showing {
+public:
+    Showing(const Scene& scene, const Settings& settings)
+        : scene_(scene), settings_(settings), pose_(pose_of_frame(scene, settings, 0)),
+          camera_(chosen_camera(scene, settings, pose_)) {}
+    void go_to(int frame) {
+        if (frame == 0 || settings_.get(kFps) == 0.0 || scene_.motion.empty())
+            return;
+        pose_ = pose_of_frame(scene_, settings_, frame);
+        camera_ = chosen_camera(scene_, settings_, pose_);
+    }
+    const Pose& pose() const { return pose_; }
+    const Camera& camera() const { return camera_; }
+
+private:
+    const Scene& scene_;
+    const Settings& settings_;
+    Pose pose_;
+    Camera camera_;
+};
+
 AoReference compute_reference(const Scene& scene, const Camera& camera, const Settings& settings,
                               const RenderOptions& options) {
     AoQuery query;
@@ -180,8 +202,8 @@ int render(const RenderOptions& options) {
     inputs.push_back(file);
     check_output_files(
         {options.output, options.report, options.reference_output, options.error_map}, inputs);
-    const Scene scene = load_gltf(file);
-    const Camera camera = chosen_camera(scene, settings);
+    Scene scene = load_gltf(file);
+    Showing showing(scene, settings);
 
     const std::unique_ptr<Context> context = options.backend.make_context();
     const DriverFacts driver = query_driver();
@@ -196,7 +218,9 @@ int render(const RenderOptions& options) {
     for (int frame = 0; frame < settings.get(kFrames); ++frame) {
         if (frame == 1)
             pipeline.timer().clear(); // the first frame compiled the shaders
-        pipeline.render(settings, camera);
+        showing.go_to(frame);
+        pipeline.set_pose(showing.pose());
+        pipeline.render(settings, showing.camera());
         progress.done(frame + 1);
     }
     pipeline.timer().finish();
@@ -205,6 +229,9 @@ int render(const RenderOptions& options) {
     if (log && !log->messages().empty())
         throw Error(log->messages().front());
 
+    const Camera camera = showing.camera();
+    if (!scene.motion.empty())
+        apply_pose(scene, showing.pose()); // what follows is about the last frame
     ReportFacts facts{options.technique, file.string(), &scene, &settings, camera};
     facts.backend = context->description();
     facts.driver = driver;

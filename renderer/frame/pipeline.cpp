@@ -42,16 +42,32 @@ std::unique_ptr<Tracer> make_tracer(const std::string& name) {
                 kBadInput);
 }
 
-Camera chosen_camera(const Scene& scene, const Settings& settings) {
+Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose) {
     const std::string text = settings.get(kCamera);
     if (text.empty())
-        return scene.cameras.front();
+        return camera_at(scene, 0, pose);
     // Commas are no part of a sensible name: numbers were meant, and the form is what is wrong.
-    return text.find_first_of("/,") == std::string::npos ? scene.camera(text) : parse_camera(text);
+    if (text.find_first_of("/,") != std::string::npos)
+        return parse_camera(text);
+    const auto index = static_cast<size_t>(&scene.camera(text) - scene.cameras.data());
+    return camera_at(scene, index, pose);
+}
+
+Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame) {
+    return pose_at(scene.motion, find_animation(scene, settings.get(kAnimation)),
+                   time_of_frame(settings, frame));
 }
 
 Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
-    : shaders_(std::move(shaders)), scene_(scene) {}
+    : shaders_(std::move(shaders)), motion_(scene.motion), scene_(scene), deform_(scene.motion) {}
+
+void Pipeline::set_pose(const Pose& pose) {
+    if (motion_.parts.empty() || pose == pose_)
+        return;
+    deform_.run(shaders_, timer_, scene_, motion_, pose);
+    pose_ = pose;
+    mean_.reset();
+}
 
 void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {
     if (last_settings_ != settings || !same_camera(last_camera_, camera))
@@ -101,7 +117,10 @@ Image Pipeline::picture() const {
 }
 
 std::vector<StructureBytes> Pipeline::bytes() const {
-    std::vector<StructureBytes> all = {{"scene", scene_.bytes()}, gbuffer_.bytes()};
+    std::vector<StructureBytes> all = {{"scene", scene_.bytes()}};
+    if (!motion_.parts.empty())
+        all.push_back(deform_.bytes());
+    all.push_back(gbuffer_.bytes());
     if (tracer_)
         for (const StructureBytes& structure : tracer_->bytes())
             all.push_back(structure);

@@ -5,6 +5,7 @@
 #include "renderer/frame/technique.h"
 #include "renderer/image/image.h"
 #include "renderer/passes/compose.h"
+#include "renderer/passes/deform.h"
 #include "renderer/reuse/running_mean.h"
 
 namespace romascope {
@@ -12,8 +13,15 @@ namespace romascope {
 /// Renders frames of a scene: what is shown in a window and what goes to a file is this.
 class Pipeline {
 public:
-    /// Needs a current context. `shaders`: where programs come from.
+    /// Needs a current context. `shaders`: where programs come from. Keeps a reference to the
+    /// scene.
     Pipeline(const Scene& scene, ShaderLibrary shaders);
+    Pipeline(const Scene&&, ShaderLibrary) = delete;
+
+    /// How the scene stands from the next frame on; before the first call, as its vertices are
+    /// given. A change starts the mean anew.
+    /// Throws Error (kBadInput), with nothing changed, if that is too far away, see MovingBounds.
+    void set_pose(const Pose& pose);
 
     /// One frame, added to the mean of the frames before it. A change of settings or camera starts
     /// the mean anew; the random sequences go on, so that a moving camera sees new directions.
@@ -33,8 +41,11 @@ private:
     void restart_on_change(const Settings& settings, const Camera& camera);
 
     ShaderLibrary shaders_;
+    const Motion& motion_;
     GpuScene scene_;
     PassTimer timer_;
+    Deform deform_;
+    Pose pose_;
     GBuffer gbuffer_;
     std::string tracer_name_;
     std::unique_ptr<Tracer> tracer_;
@@ -47,9 +58,13 @@ private:
     bool composed_ = false;
 };
 
-/// The camera that the settings name: of the scene, or spelled out.
+/// The camera that the settings name: of the scene as it stands in that pose, or spelled out.
 /// Throws Error (kBadInput) for a name the scene does not have.
-Camera chosen_camera(const Scene& scene, const Settings& settings);
+Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose);
+
+/// How the scene stands in frame `frame`, counted from 0, by the settings of animation and time.
+/// Throws Error (kBadInput) for an animation the scene does not have.
+Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame);
 
 /// A new tracer by its name. Throws Error (kBadInput) with the nearest name.
 std::unique_ptr<Tracer> make_tracer(const std::string& name);

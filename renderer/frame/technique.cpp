@@ -25,10 +25,16 @@ std::string first_comment(std::string_view text) {
 
 } // namespace
 
+double time_of_frame(const Settings& settings, int frame) {
+    const double fps = settings.get(kFps);
+    return settings.get(kTime) + (fps > 0.0 ? frame / fps : 0.0);
+}
+
 const KnobTable& all_knobs() {
     static const KnobTable table = [] {
-        std::vector<const KnobBase*> knobs = {&kWidth,  &kHeight, &kFrames,   &kSeed,
-                                              &kCamera, &kTracer, &kAntialias};
+        std::vector<const KnobBase*> knobs = {&kWidth,  &kHeight,   &kFrames, &kSeed,
+                                              &kCamera, &kTime,     &kFps,    &kAnimation,
+                                              &kTracer, &kAntialias};
         for (const auto& more : {compose_knobs(), ambient_occlusion_knobs(), tracer_knobs()})
             knobs.insert(knobs.end(), more.begin(), more.end());
         return KnobTable(knobs);

@@ -56,6 +56,36 @@ inline const Knob<std::string> kCamera{
      .source = "the first camera shows the scene best"},
     ""};
 
+inline const Knob<double> kTime{
+    {.key = "render.time",
+     .unit = "s",
+     .help = "Where in its animation the scene stands in the first frame; animations start over at "
+             "their end.",
+     .source = "the start"},
+    0.0,
+    0.0,
+    1e6};
+inline const Knob<double> kFps{
+    {.key = "render.fps",
+     .unit = "frames per second",
+     .help = "How many frames show a second of the animation; 0: time stands still, so that frames "
+             "accumulate.",
+     .source = "a picture is of one moment"},
+    0.0,
+    0.0,
+    1e6};
+inline const Knob<std::string> kAnimation{
+    {.key = "render.animation",
+     .unit = "",
+     .help =
+         "The animation of the scene that plays, by name or by number from 0; empty: the first; "
+         "none: all stands as without animation.",
+     .source = "most files have one"},
+    ""};
+
+/// Seconds into the animation that frame `frame`, counted from 0, shows.
+double time_of_frame(const Settings& settings, int frame);
+
 /// Every knob of the program, from all methods.
 const KnobTable& all_knobs();
 

@@ -2,6 +2,7 @@
 #include "renderer/frame/variants.h"
 
 #include "renderer/frame/pipeline.h"
+#include "renderer/passes/deform.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
 
 #include <algorithm>
@@ -48,6 +49,7 @@ std::vector<ShaderVariant> all_shader_variants() {
         if (std::find(all.begin(), all.end(), variant) == all.end())
             all.push_back(variant);
     };
+    add(Deform::variant());
     add(GBuffer::variant());
     add(RunningMean::variant(GL_R32F));
     add(RunningMean::variant(GL_RGBA32F));

@@ -94,6 +94,16 @@ void Buffer::download_bytes(std::span<std::byte> data) const {
 
 void Buffer::bind(GLenum target, GLuint slot) const { glBindBufferBase(target, slot, id()); }
 
+size_t Buffer::bind_storage_from(GLuint slot, size_t offset) const {
+    assert(offset < bytes_);
+    GLint alignment = 1;
+    glGetIntegerv(GL_SHADER_STORAGE_BUFFER_OFFSET_ALIGNMENT, &alignment);
+    const size_t start = offset - offset % static_cast<size_t>(std::max(alignment, 4));
+    glBindBufferRange(GL_SHADER_STORAGE_BUFFER, slot, id(), static_cast<GLintptr>(start),
+                      static_cast<GLsizeiptr>(bytes_ - start));
+    return start;
+}
+
 Texture::Texture(const std::string& label, GLenum target, GLenum format, glm::ivec3 size)
     : target_(target), format_(format), size_(size) {
     GLuint id = 0;

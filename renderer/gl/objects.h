@@ -65,6 +65,9 @@ public:
         return data;
     }
     void bind(GLenum target, GLuint slot) const; ///< uniform or shader storage block
+    /// Binds what lies from `offset` on to a shader storage block, or from a little before, where
+    /// the driver wants it to begin. Returns the offset it begins at, a multiple of 4.
+    size_t bind_storage_from(GLuint slot, size_t offset) const;
 
 private:
     void create(const std::string& label, size_t bytes, const void* data);

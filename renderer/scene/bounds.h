@@ -7,6 +7,10 @@
 
 namespace romascope {
 
+/// No vertex lies further out on any axis, in metres: products of two edges, squared, must stay
+/// below the largest float.
+inline constexpr double kMaxCoordinate = 1e9;
+
 /// Axis-aligned box; empty (min > max) until a point is added.
 struct Bounds {
     glm::vec3 min{std::numeric_limits<float>::infinity()};

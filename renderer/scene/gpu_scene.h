@@ -16,7 +16,12 @@ public:
     const Buffer& materials() const {
         return materials_;
     } ///< std430: vec4 base colour, vec4 emission
+    /// Three floats a vertex, for the pass that moves them.
+    const Buffer& positions() const { return positions_; }
+    const Buffer& normals() const { return normals_; }
     const Bounds& bounds() const { return bounds_; }
+    /// For a scene that moves: of the vertices as they stand in this frame.
+    void set_bounds(const Bounds& bounds) { bounds_ = bounds; }
     size_t bytes() const;
 
 private:

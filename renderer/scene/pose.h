@@ -4,6 +4,7 @@
 #include "renderer/scene/scene.h"
 
 #include <string>
+#include <vector>
 
 namespace romascope {
 
@@ -11,6 +12,8 @@ namespace romascope {
 struct Pose {
     std::vector<glm::dmat4> node_to_world; ///< per Motion::nodes
     std::vector<double> weights;           ///< per Motion::weights
+
+    bool operator==(const Pose&) const = default;
 };
 
 /// The index of an animation of the scene by its name or number; the first (-1: there is none) for
@@ -31,8 +34,10 @@ std::vector<glm::dmat4> palette(const Motion& motion, const Pose& pose);
 /// little as its matrices.
 class MovingBounds {
 public:
-    explicit MovingBounds(const Scene& scene);
-    /// Contains all vertices of the scene in that pose.
+    explicit MovingBounds(const Motion& motion);
+    /// Contains all vertices of the scene in that pose, be they computed in double or single
+    /// precision. `matrices`: the palette of that pose. Throws Error (kBadInput) if they reach
+    /// beyond kMaxCoordinate.
     Bounds at(const Motion& motion, const Pose& pose,
               const std::vector<glm::dmat4>& matrices) const;
 
@@ -43,9 +48,22 @@ private:
     };
     std::vector<Box> boxes_;
     std::vector<Bounds> target_ranges_; ///< of the deltas of each part's targets in turn
+    std::vector<size_t> first_range_;   ///< per part, into target_ranges_
 };
 
+/// A normal of a surface that goes through `matrix`, unit length: by the inverse transpose, taken
+/// by way of the cofactors, which exist where a scale is 0. 0 if nothing of it is left.
+glm::vec3 moved_normal(const glm::dmat3& matrix, glm::dvec3 normal);
+
+/// Camera `index` of the scene in that pose. One whose node leaves it no direction keeps the one it
+/// has.
+Camera camera_at(const Scene& scene, size_t index, const Pose& pose);
+
+/// The scene's lights in that pose; as for cameras.
+std::vector<Light> lights_at(const Scene& scene, const Pose& pose);
+
 /// Moves the vertices, cameras, lights and bounds of `scene` to the pose, in double precision.
+/// Throws as MovingBounds::at does.
 void apply_pose(Scene& scene, const Pose& pose);
 
 } // namespace romascope
