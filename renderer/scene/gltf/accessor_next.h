@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/document_next.h"
 
 #include <glm/glm.hpp>
 
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -18,8 +19,8 @@ struct AccessorKind {
 };
 
 /// The numbers of an accessor: normalised integers become [0, 1] or [-1, 1] (glTF 2.0, 3.11), other
-/// integers keep their value (KHR_mesh_quantization), sparse elements are in their place, an
-/// accessor without a view is zero. Valid as long as the document.
+/// integers keep their value (KHR_mesh_quantization), an accessor without a view is zero. Valid as
+/// long as the document.
 class AccessorReader {
 public:
     /// `element` names the user of the accessor. Throws Error (kBadInput) if it is not of `kind`.
@@ -40,11 +41,15 @@ public:
     uint32_t integer(size_t i, int c = 0) const;
 
 private:
-    const unsigned char* data_ = nullptr; ///< null: zeros
+    void read(size_t i, int first, int n, float* out) const;
+    const std::byte* at(size_t i, int c) const;
+
+    const std::byte* data_ = nullptr; ///< null: zeros
     size_t count_ = 0, stride_ = 0;
+    size_t component_ = 0;                ///< bytes
+    size_t rows_ = 0, column_stride_ = 0; ///< see ElementLayout
     int components_ = 0, component_type_ = 0;
     bool normalized_ = false;
-    std::vector<unsigned char> dense_; ///< of a sparse accessor
     std::string element_;
 };
 

@@ -153,10 +153,6 @@ void check_indices(const tinygltf::Model& model) {
 
 } // namespace
 
-void refuse(const std::string& element, const std::string& reason) {
-    throw Error(element + ": " + reason, kBadInput);
-}
-
 void parse(const std::string& content, const fs::path& path, tinygltf::Model& model) {
     const bool binary = content.starts_with("glTF");
     const size_t first = content.find_first_not_of(" \t\r\n\xef\xbb\xbf");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/base/memory.h"
+#include "renderer/scene/gltf/message.h"
 
 #include <cstddef>
 #include <filesystem>
@@ -16,22 +17,21 @@ class Model;
 
 namespace romascope::gltf {
 
-/// Throws Error (kBadInput) "ELEMENT: reason"; the importer puts the file in front.
-[[noreturn]] void refuse(const std::string& element, const std::string& reason);
-
 /// A glTF file that has been checked: every property has the type and range of the specification,
 /// every index names something, every buffer view lies in its buffer and every accessor in its
 /// view, the nodes of each scene are a tree of sane depth, every required extension is known.
 /// What the numbers in buffers mean is left to who reads them.
 ///
 /// tinygltf, which parses but does not validate, sees the file only after that, and neither opens
-/// files nor decodes anything. Compressed views (EXT_meshopt_compression) and primitives
-/// (KHR_draco_mesh_compression) are decoded here: the model looks as if they never had been.
+/// files nor decodes anything. Compressed views (EXT_meshopt_compression), compressed primitives
+/// (KHR_draco_mesh_compression) and sparse accessors are written out here: the model looks as if
+/// they never had been.
 class Document {
 public:
     /// Takes the file's bytes (.glb or .gltf, told apart by the first ones). `path`: buffers and
     /// pictures are read only from the folder of this file and below. `budget`: what is read and
-    /// decoded is taken from it before. Throws Error (kBadInput) without the file's name.
+    /// decoded is taken from it before, `content` too, and given back with the document.
+    /// Throws Error (kBadInput) without the file's name.
     Document(std::string content, const std::filesystem::path& path, MemoryBudget& budget);
     ~Document();
     Document(const Document&) = delete;
@@ -42,8 +42,8 @@ public:
     /// The bytes of a buffer view that the model names.
     std::span<const std::byte> view(int index) const;
 
-    /// The bytes of images[index], still encoded; read and taken from the budget at each call.
-    /// Throws Error (kBadInput) if it cannot be read.
+    /// The bytes of images[index], still encoded; read and taken from the budget at each call, not
+    /// given back. Throws Error (kBadInput) if it cannot be read.
     std::vector<std::byte> image(int index) const;
 
     /// What was left out or taken otherwise than the file says, one line each.
