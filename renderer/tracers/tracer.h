@@ -38,6 +38,9 @@ public:
     virtual void bind(const Program& program) const = 0;
 
     virtual std::vector<StructureBytes> bytes() const = 0;
+    /// What `bytes()` can come to at most under these settings, whatever the scene; known before
+    /// anything is built.
+    virtual size_t bytes_needed(const Settings& settings) const = 0;
     /// All programs of the build under these settings, for tests that compile them.
     virtual std::vector<ShaderVariant> build_variants(const Settings& settings) const = 0;
 };

@@ -130,3 +130,19 @@ class Memory(CliTest):
         for size in ("16384x1", "1x16384"):
             self.succeed("render", "scene.glb", "-o", "out.png", "--size", size)
             self.assertEqual("%dx%d" % read_png(self.path("out.png"))[:2], size)
+
+    def test_bound_of_the_user(self):
+        # 256 aligned maps of 256^3 bits alone are 512 MiB.
+        maps = ("--set", "occupancy.resolution=256", "--set", "roma.angular_resolution=16")
+        self.refuse_render(*maps, "--max-memory", "500MiB", says=["--max-memory", "'roma'", "51"])
+        self.refuse("render", "scene.glb", "-o", "out.png", "--size", "4000x4000", "--max-memory",
+                    "500MiB", says=["--max-memory", "4000x4000", "MiB"])
+        self.refuse_render("--max-memory", "1KiB", says="--max-memory")
+        self.render("out.png", "--max-memory", "500MiB")
+        self.refuse("render", "hall", "-o", "other.png", "--max-memory", "1MiB",
+                    says="--max-memory")
+        self.succeed("render", "hall", "-o", "hall.png", "--size", "16x9", "--max-memory", "1GiB")
+
+    def test_amounts_of_memory(self):
+        for amount in ("", "x", "-1", "0", "4 apples", "nan", "1e30GiB"):
+            self.refuse_render("--max-memory", amount, says=["--max-memory", f"'{amount}'"])

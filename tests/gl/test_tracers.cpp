@@ -117,6 +117,21 @@ TEST_P(TracersTest, HitsAreWhereTheTrianglesAre) {
     EXPECT_GT(close / static_cast<double>(rays.size()), 0.5);
 }
 
+TEST_P(TracersTest, WhatItTakesIsKnownBefore) {
+    for (const int resolution : {32, 61, 130}) {
+        settings_.set(kOccupancyResolution, resolution);
+        const GpuScene gpu_scene(room()); // as long as it is wide and high: the largest map
+        const std::unique_ptr<Tracer> tracer = tracers()[GetParam()].make();
+        const size_t needed = tracer->bytes_needed(settings_);
+        tracer->build(frame(gpu_scene, settings_, 4, 2));
+        size_t taken = 0;
+        for (const StructureBytes& structure : tracer->bytes())
+            taken += structure.bytes;
+        EXPECT_LE(taken, needed) << resolution;
+        EXPECT_GT(taken, needed / 10 * 9) << resolution;
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(All, TracersTest, testing::Range(size_t{0}, tracers().size()),
                          [](const testing::TestParamInfo<size_t>& chosen) {
                              return std::string(tracers()[chosen.param].name);

@@ -66,6 +66,13 @@ void OccupancyMap::build(const FrameContext& frame) {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
+size_t OccupancyMap::bytes_needed(const Settings& settings) {
+    const Bounds cube{glm::vec3(0.0f), glm::vec3(1.0f)};
+    const glm::ivec3 size =
+        OccupancyGrid::fit(cube, settings.get(kOccupancyResolution), glm::vec3(0.0f)).size;
+    return sizeof(uint32_t) * static_cast<size_t>(size.x) * size.y * ((size.z + 31) / 32);
+}
+
 BitGrid OccupancyMap::download() const { return BitGrid(grid_.size, texture_.download_uint(1)); }
 
 } // namespace romascope

@@ -47,6 +47,8 @@ public:
     /// R32UI, (size.x, size.y, ceil(size.z / 32)).
     const Texture& texture() const { return texture_; }
     StructureBytes bytes() const { return {"occupancy map", texture_.bytes()}; }
+    /// What `bytes()` can come to at most under these settings: for a scene like a cube.
+    static size_t bytes_needed(const Settings& settings);
     /// Copies the map to the CPU, for tests and for views.
     BitGrid download() const;
 

@@ -133,6 +133,17 @@ std::vector<StructureBytes> RomaTracer::bytes() const {
              map_texture_.bytes() + direction_buffer_.bytes() + candidate_buffer_.bytes()}};
 }
 
+size_t RomaTracer::bytes_needed(const Settings& settings) const {
+    const auto side = static_cast<size_t>(settings.get(kOccupancyResolution));
+    const auto strata = static_cast<size_t>(settings.get(kRomaAngularResolution));
+    const size_t candidates = strata * strata;
+    const ColumnLayout layout = layout_of(settings.get(kOccupancyResolution));
+    const size_t column = sizeof(uint32_t) * layout.words_per_texel * layout.layers;
+    const size_t uniforms = (candidates + 1) * sizeof(glm::vec4);
+    return OccupancyMap::bytes_needed(settings) +
+           candidates * (side * side * column + sizeof(gpu::RomaDirection)) + uniforms;
+}
+
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
     return {OccupancyMap::variant(), rotate_variant(settings, false),
             rotate_variant(settings, true)};

@@ -69,6 +69,7 @@ public:
     bool sample_candidates(const Settings& settings) const override;
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
+    size_t bytes_needed(const Settings& settings) const override;
     std::vector<ShaderVariant> build_variants(const Settings& settings) const override;
 
     // What was built, for tests and for views.

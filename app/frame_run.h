@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+// What commands that render have in common: frames of a scene become a picture, the picture is
+// judged against the truth.
+#pragma once
+
+#include "app/report.h"
+#include "renderer/frame/pipeline.h"
+#include "renderer/reference/ao_reference.h"
+
+#include <vector>
+
+namespace romascope {
+
+/// Refuses frames that would take more memory than is left: on a software renderer all of it is
+/// this program's, and the system promises more than it has and ends who uses it. `given`: the
+/// bound comes from the user, not from the machine. Throws Error.
+void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given);
+
+/// What the frames show: the pose and the camera of each in turn, made anew only as time goes on.
+class Showing {
+public:
+    /// Keeps references. Throws Error (kBadInput) if the scene lacks what the settings name.
+    Showing(const Scene& scene, const Settings& settings);
+    void go_to(int frame); ///< counted from 0
+    const Pose& pose() const { return pose_; }
+    const Camera& camera() const { return camera_; }
+
+private:
+    const Scene& scene_;
+    const Settings& settings_;
+    int frame_ = 0;
+    Pose pose_;
+    Camera camera_;
+};
+
+/// What `render.frames` frames gave.
+struct FrameRun {
+    Image picture; ///< their mean
+    TimerClock clock = TimerClock::none;
+    std::vector<PassTiming> timings; ///< without the first frame, which compiles, unless alone
+    std::vector<StructureBytes> bytes;
+};
+
+/// Renders as many frames as the settings say, from the first on: a pipeline that has rendered
+/// something else gives what a new one would. On a terminal it tells how far it is.
+FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing);
+
+/// The ambient occlusion that those frames should show, with `samples` rays per pixel.
+AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& settings,
+                     int samples, bool use_cache);
+
+/// Errors of a picture against it.
+ReportErrors judge(const AoReference& truth, const Image& picture, int samples);
+
+/// Refuses what truth_of cannot do. Throws Error (kBadInput).
+void check_reference(const Settings& settings, int samples);
+
+} // namespace romascope
