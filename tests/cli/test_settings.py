@@ -68,9 +68,11 @@ class Effective(CliTest):
 
     def test_options_are_settings(self):
         config = self.config("--size", "33x22", "--frames", "4", "--seed", "4294967295",
-                             "--camera", "1,2,3/0,0,0/60")["render"]
+                             "--camera", "1,2,3/0,0,0/60", "--time", "1.5", "--fps", "24",
+                             "--animation", "walk")["render"]
         self.assertEqual(config, {"width": 33, "height": 22, "frames": 4, "seed": 4294967295,
-                                  "camera": "1,2,3/0,0,0/60"})
+                                  "camera": "1,2,3/0,0,0/60", "time": 1.5, "fps": 24,
+                                  "animation": "walk"})
 
     def test_a_setting_does_not_take_the_next_word(self):
         self.write("file.toml", "")
