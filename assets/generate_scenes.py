@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-SCENES = ("cornell", "hall", "thin")
+SCENES = ("cornell", "hall", "street", "thin")
 
 
 def main():

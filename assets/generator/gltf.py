@@ -112,6 +112,13 @@ class Document:
         primitives = [self._primitive(*item) for item in by_material.items()]
         return self.append("meshes", {"name": name, "primitives": primitives, **more})
 
+    def add_variant(self, mesh, swap):
+        """The same mesh in other materials; `swap`: from material to material."""
+        copy = json.loads(json.dumps(self.root["meshes"][mesh]))
+        for primitive in copy["primitives"]:
+            primitive["material"] = swap.get(primitive["material"], primitive["material"])
+        return self.append("meshes", copy)
+
     def _primitive(self, material, vertices):
         attributes = {
             "POSITION": self.add_accessor(vertices.positions, FLOAT, "VEC3", VERTICES, True),

@@ -17,9 +17,18 @@ class Stage:
         """`pieces`: (name of a material, meshes) pairs."""
         return self.doc.add_mesh(name, [(self.materials[key], meshes) for key, meshes in pieces])
 
-    def add(self, name, pieces, places=((0.0, 0.0, 0.0, 0.0),)):
-        """A mesh and its instances. `pieces`: (name of a material, meshes) pairs; `places`:
-        (x, y, z) or (x, y, z, degrees about y)."""
-        mesh = self.mesh(name, pieces)
+    def variant(self, mesh, swap):
+        """The same mesh in other materials; `swap`: from name to name."""
+        return self.doc.add_variant(
+            mesh, {self.materials[old]: self.materials[new] for old, new in swap.items()}
+        )
+
+    def put(self, name, mesh, places, parent=None):
+        """Instances of a mesh; `places`: (x, y, z) or (x, y, z, degrees about y)."""
         for place in places:
-            self.doc.add_node(name, mesh, place[:3], place[3] if len(place) > 3 else 0.0)
+            turn = place[3] if len(place) > 3 else 0.0
+            self.doc.add_node(name, mesh, place[:3], turn, parent)
+
+    def add(self, name, pieces, places=((0.0, 0.0, 0.0, 0.0),)):
+        """A mesh, as `mesh`, and its instances, as `put`."""
+        self.put(name, self.mesh(name, pieces), places)

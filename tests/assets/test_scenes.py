@@ -114,5 +114,23 @@ class Thin(unittest.TestCase):
         self.assertGreater(sheets, 10)
 
 
+class Street(unittest.TestCase):
+    def test_bounds_are_8_to_1_to_2(self):
+        low, high = FILES["street"].bounds()
+        length, height, width = (b - a for a, b in zip(low, high))
+        # To 0.5 %: at 128 cells along the street, less than a cell across it.
+        self.assertAlmostEqual(length / height, 8.0, delta=0.04)
+        self.assertAlmostEqual(width / height, 2.0, delta=0.01)
+
+    def test_has_a_sun_and_lamps(self):
+        root = FILES["street"].root
+        self.assertEqual(root["extensionsUsed"], ["KHR_lights_punctual"])
+        lights = root["extensions"]["KHR_lights_punctual"]["lights"]
+        used = [node["extensions"]["KHR_lights_punctual"]["light"] for node in root["nodes"]
+            if "extensions" in node]
+        kinds = [lights[i]["type"] for i in used]
+        self.assertEqual((kinds.count("directional"), kinds.count("point")), (1, 6))
+
+
 if __name__ == "__main__":
     unittest.main()
