@@ -13,9 +13,10 @@ class Stage:
             arguments = value if isinstance(value, dict) else {"color": value}
             self.materials[key] = self.doc.add_material(key, **arguments)
 
-    def mesh(self, name, pieces):
-        """`pieces`: (name of a material, meshes) pairs."""
-        return self.doc.add_mesh(name, [(self.materials[key], meshes) for key, meshes in pieces])
+    def mesh(self, name, pieces, **more):
+        """`pieces`: (name of a material, meshes) pairs; `more`: as `Document.add_mesh`."""
+        parts = [(self.materials[key], meshes) for key, meshes in pieces]
+        return self.doc.add_mesh(name, parts, **more)
 
     def variant(self, mesh, swap):
         """The same mesh in other materials; `swap`: from name to name."""

@@ -6,7 +6,7 @@ import os
 import sys
 import unittest
 
-from glb_file import GlbFile
+from glb_file import GlbFile, product
 
 ASSETS = os.path.join(os.path.dirname(os.path.abspath(__file__)), "..", "..", "assets")
 sys.path.insert(0, ASSETS)
@@ -87,6 +87,21 @@ class AllScenes(unittest.TestCase):
                             self.assertAlmostEqual(sum(x * x for x in normal), 1.0, delta=1e-5)
 
 
+class Readme(unittest.TestCase):
+    def test_lists_each_scene_with_its_size_and_cameras(self):
+        with open(os.path.join(ASSETS, "README.md"), encoding="utf-8") as file:
+            rows = [line for line in file if line.startswith("| `")]
+        listed = {row.split("`")[1]: row for row in rows}
+        self.assertEqual(sorted(listed), sorted(name + ".glb" for name in SCENES))
+        for name, file in FILES.items():
+            with self.subTest(scene=name):
+                row = listed[name + ".glb"]
+                self.assertIn(f"| {file.size:,} |", row)
+                for node in file.root["nodes"]:
+                    if "camera" in node:
+                        self.assertIn(f"`{node['name']}`", row)
+
+
 class Thin(unittest.TestCase):
     def test_walls_are_one_cell_thick(self):
         """At 128 cells along the longest side, which then is 127 cell sizes long (the 128th is
@@ -112,6 +127,70 @@ class Thin(unittest.TestCase):
                         edges.update(((a, b), (b, c), (c, a)))
                     sheets += any((b, a) not in edges for a, b in edges)
         self.assertGreater(sheets, 10)
+
+
+class Dancers(unittest.TestCase):
+    file = FILES["dancers"]
+
+    def test_one_animation_moves_a_skin_a_morphing_and_a_rigid_figure(self):
+        root = self.file.root
+        self.assertEqual([clip["name"] for clip in root["animations"]], ["dance"])
+        moved = {}
+        for channel in root["animations"][0]["channels"]:
+            moved.setdefault(channel["target"]["path"], set()).add(channel["target"]["node"])
+        skinned = [node for node in root["nodes"] if "skin" in node]
+        self.assertEqual(len(skinned), 1)
+        joints = root["skins"][skinned[0]["skin"]]["joints"]
+        self.assertIn(len(joints), range(15, 21))
+        self.assertLess(len(joints) / 2, len(moved["rotation"] & set(joints)))
+        (morphing,) = moved["weights"]
+        mesh = root["meshes"][root["nodes"][morphing]["mesh"]]
+        self.assertTrue(all(len(p["targets"]) == 3 for p in mesh["primitives"]))
+        rigid = [i for i in moved["rotation"] if "mesh" in root["nodes"][i]]
+        self.assertGreater(len(rigid), 10)
+
+    def test_loop_is_seamless(self):
+        clip, ends = self.file.root["animations"][0], set()
+        for channel in clip["channels"]:
+            sampler = clip["samplers"][channel["sampler"]]
+            times = [t for (t,) in self.file.rows[sampler["input"]]]
+            self.assertTrue(all(a < b for a, b in zip(times, times[1:])))
+            self.assertEqual(times[0], 0.0)
+            ends.add(times[-1])
+            rows = self.file.rows[sampler["output"]]
+            size = len(rows) // len(times)  # rows of a key
+            self.assertEqual(rows[:size], rows[-size:], channel)
+        self.assertEqual(len(ends), 1)
+
+    def test_weights_of_joints_sum_to_1(self):
+        for mesh in self.file.root["meshes"]:
+            for primitive in mesh["primitives"]:
+                for name in {"JOINTS_0", "WEIGHTS_0"} & primitive["attributes"].keys():
+                    self.assertIn("JOINTS_0", primitive["attributes"])
+                    rows = self.file.rows[primitive["attributes"][name]]
+                    if name == "WEIGHTS_0":
+                        self.assertEqual({sum(row) for row in rows}, {255})
+                    else:
+                        self.assertLess(max(map(max, rows)), 17)
+
+    def test_at_rest_the_skin_is_where_its_mesh_is(self):
+        """Every joint's matrix is then the same: that of the figure's place."""
+        matrices, parents = self.file.matrices(), self.file.parents()
+        for skin in self.file.root["skins"]:
+            place = matrices[parents[skin["joints"][0]]]
+            for joint, inverse in zip(skin["joints"], self.file.rows[skin["inverseBindMatrices"]]):
+                columns = tuple(tuple(inverse[4 * c + r] for c in range(4)) for r in range(3))
+                for row, expected in zip(product(matrices[joint], columns), place):
+                    for a, b in zip(row, expected):
+                        # Places are rounded to 1e-5 from joint to joint.
+                        self.assertAlmostEqual(a, b, delta=1e-4)
+
+    def test_turns_are_of_unit_length(self):
+        clip = self.file.root["animations"][0]
+        for channel in clip["channels"]:
+            if channel["target"]["path"] == "rotation":
+                for q in self.file.rows[clip["samplers"][channel["sampler"]]["output"]]:
+                    self.assertAlmostEqual(sum(x * x for x in q), 1.0, delta=1e-5)
 
 
 class Street(unittest.TestCase):
