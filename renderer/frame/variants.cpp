@@ -50,7 +50,9 @@ std::vector<ShaderVariant> all_shader_variants() {
             all.push_back(variant);
     };
     add(Deform::variant());
-    add(GBuffer::variant());
+    for (const bool detail : {false, true})
+        add(GBuffer::variant(detail, false));
+    add(GBuffer::variant(true, true));
     add(RunningMean::variant(GL_R32F));
     add(RunningMean::variant(GL_RGBA32F));
     for (const Settings& settings : settings_to_try()) {

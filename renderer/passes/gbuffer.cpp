@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/passes/gbuffer.h"
 
+#include <algorithm>
+
 namespace romascope {
 
-ShaderVariant GBuffer::variant() {
-    return {"gbuffer",
+ShaderVariant GBuffer::variant(bool detail, bool masked) {
+    return {masked ? "gbuffer masked" : "gbuffer",
             {{GL_VERTEX_SHADER, "passes/gbuffer.vert.glsl"},
              {GL_FRAGMENT_SHADER, "passes/gbuffer.frag.glsl"}},
-            {},
+            {{"SURFACE_DETAIL", detail || masked ? "1" : "0"}, {"ALPHA_MASK", masked ? "1" : "0"}},
             {}};
 }
 
@@ -25,7 +27,11 @@ void GBuffer::resize(glm::ivec2 size) {
 
 void GBuffer::draw(const FrameContext& frame, const View& view) {
     resize(view.size);
-    const Program& program = program_.get(frame.shaders, variant());
+    const GpuScene& scene = frame.scene;
+    const Program& plain = program_.get(frame.shaders, variant(scene.has_detail(), false));
+    const bool any_masked = std::ranges::any_of(scene.groups(), &TriangleGroup::masked);
+    const Program& masked =
+        any_masked ? masked_program_.get(frame.shaders, variant(true, true)) : plain;
     auto pass = frame.timer.raster("gbuffer");
     framebuffer_.bind();
     const GLuint no_normal[4] = {};
@@ -41,16 +47,26 @@ void GBuffer::draw(const FrameContext& frame, const View& view) {
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_GREATER);
     glEnable(GL_FRAMEBUFFER_SRGB);
-    glDisable(GL_CULL_FACE);
     glDisable(GL_BLEND);
-    program.use();
+    glFrontFace(GL_CW); // the projection mirrors
+    glCullFace(GL_BACK);
     Camera at_origin = view.camera;
     at_origin.eye = glm::vec3(0.0f);
-    program.set("eye", view.camera.eye);
-    program.set("view_projection",
-                at_origin.projection(view.size, view.near_plane, view.offset) * at_origin.view());
-    frame.scene.materials().bind(GL_SHADER_STORAGE_BUFFER, 0);
-    frame.scene.draw();
+    const glm::mat4 view_projection =
+        at_origin.projection(view.size, view.near_plane, view.offset) * at_origin.view();
+    scene.surfaces().bind();
+    for (const TriangleGroup& group : scene.groups()) {
+        const Program& program = group.masked ? masked : plain;
+        program.use();
+        program.set("eye", view.camera.eye);
+        program.set("view_projection", view_projection);
+        if (group.double_sided)
+            glDisable(GL_CULL_FACE);
+        else
+            glEnable(GL_CULL_FACE);
+        scene.draw(group);
+    }
+    glDisable(GL_CULL_FACE);
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_FRAMEBUFFER_SRGB);
 }

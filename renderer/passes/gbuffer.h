@@ -6,7 +6,8 @@
 
 namespace romascope {
 
-/// What the camera sees at each pixel. Row 0 is the top of the picture.
+/// What the camera sees at each pixel. Row 0 is the top of the picture. Backs of materials that
+/// are not double-sided and what masks leave out are looked through.
 class GBuffer {
 public:
     /// Draws the scene; makes the textures anew where the size changed.
@@ -20,11 +21,13 @@ public:
     /// shaders/common/surface.glsl reads them.
     void bind_surface() const;
 
-    static ShaderVariant variant();
+    /// `detail`: the scene has texture coordinates or vertex colours; `masked`: for triangles with
+    /// an alpha mask, which has the detail, too.
+    static ShaderVariant variant(bool detail, bool masked);
 
 private:
     void resize(glm::ivec2 size);
-    ProgramSlot program_;
+    ProgramSlot program_, masked_program_;
     Texture depth_, normal_, base_color_, emission_;
     Framebuffer framebuffer_;
 };

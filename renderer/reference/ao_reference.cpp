@@ -5,6 +5,7 @@
 #include "renderer/reference/ao_tracer.h"
 #include "renderer/reference/cache.h"
 #include "renderer/reference/sampling.h"
+#include "renderer/scene/surface_mask.h"
 
 #include <fmt/format.h>
 
@@ -19,7 +20,7 @@ namespace romascope {
 namespace {
 
 /// Goes up with every change of what is computed, so that older cache files are not taken.
-constexpr uint32_t kAlgorithmVersion = 1;
+constexpr uint32_t kAlgorithmVersion = 2;
 constexpr int kTile = 16; ///< pixels per side: neighbours meet the same part of the hierarchy
 
 void check(const AoQuery& query) {
@@ -40,12 +41,40 @@ void check(const AoQuery& query) {
         refuse(fmt::format("radius {} m, it must be above 0", query.radius));
 }
 
+/// What of the surfaces decides which are there, and to whom.
+void add_surfaces(CacheKey& key, const Scene& scene) {
+    bool any_mask = false;
+    for (const TriangleGroup& group : triangle_groups(scene)) {
+        key.add(group.count);
+        key.add(group.masked);
+        key.add(group.double_sided);
+        any_mask = any_mask || group.masked;
+    }
+    if (!any_mask)
+        return;
+    key.add(scene.vertex_material);
+    key.add(scene.texcoords);
+    key.add(scene.colors);
+    for (const Material& material : scene.materials) {
+        key.add(material.alpha);
+        key.add(material.alpha_cutoff);
+        key.add(material.texture);
+    }
+    for (const SurfaceTexture& texture : scene.textures) {
+        key.add(texture.size.x);
+        key.add(texture.size.y);
+        key.add(texture_rules(texture, 1));
+        key.add(texture.texels);
+    }
+}
+
 std::string cache_name(const Scene& scene, const AoQuery& query) {
     CacheKey key;
     key.add(kAlgorithmVersion);
     key.add(scene.positions);
     key.add(scene.normals);
     key.add(scene.indices);
+    add_surfaces(key, scene);
     for (const glm::vec3& v : {query.camera.eye, query.camera.forward, query.camera.up})
         for (int axis = 0; axis < 3; ++axis)
             key.add(v[axis]);
@@ -83,8 +112,8 @@ float Renderer::pixel(int x, int y) const {
     const uint32_t seed =
         hash(static_cast<uint32_t>(x) + hash(static_cast<uint32_t>(y) + hash(query_.seed)));
     if (!query_.pixel_jitter) {
-        const auto hit = tracer_.closest(
-            query_.camera.eye, query_.camera.direction_through(corner + 0.5f, query_.size));
+        const auto hit = tracer_.seen(query_.camera.eye,
+                                      query_.camera.direction_through(corner + 0.5f, query_.size));
         return hit ? tracer_
                          .ambient_occlusion(hit->origin, hit->normal, query_.radius, lattice_, seed)
                          .mean
@@ -92,7 +121,7 @@ float Renderer::pixel(int x, int y) const {
     }
     int free = 0;
     for (int i = 0; i < lattice_.size(); ++i) {
-        const auto hit = tracer_.closest(
+        const auto hit = tracer_.seen(
             query_.camera.eye,
             query_.camera.direction_through(corner + lattice_.pixel(i, seed), query_.size));
         const glm::vec3 local = cosine_direction(lattice_.direction(i, seed));

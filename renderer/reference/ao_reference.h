@@ -39,8 +39,9 @@ struct AoReference {
 
 /// Ground truth: (1/pi) * integral over the hemisphere about the shading normal of
 /// V(w) max(0, n.w) dw at what each pixel shows, by cosine-distributed rays against the triangles.
-/// V is 0 if any surface, from either side, lies within the radius. The shading normal is that of
-/// the vertices, turned to the side of the triangle that is seen.
+/// V is 0 if any surface, from either side, lies within the radius; what an alpha mask leaves out
+/// is no surface. The shading normal is that of the vertices, turned to the side of the triangle
+/// that is seen; backs of materials that are not double-sided are not seen.
 /// `progress` is called with fractions that never fall, last 1, by the calling thread only; if it
 /// throws, the work is abandoned. Depends on nothing but scene and query. Throws Error (kBadInput)
 /// if the query is out of range.

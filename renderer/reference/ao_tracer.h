@@ -33,8 +33,9 @@ struct Hit {
     glm::vec3 origin{};
 };
 
-/// Exact visibility in the triangles of a scene, by Embree. Both sides of a triangle count.
-/// Const functions may be called from several threads at once.
+/// Exact visibility in the triangles of a scene, by Embree. Both sides of a triangle count, and
+/// what an alpha mask leaves out is not there. Const functions may be called from several threads
+/// at once.
 class AoTracer {
 public:
     /// Copies what it needs from the scene. Throws Error if Embree cannot start or runs out of
@@ -45,6 +46,9 @@ public:
     AoTracer& operator=(AoTracer&&) noexcept;
 
     std::optional<Hit> closest(glm::vec3 origin, glm::vec3 direction) const;
+    /// What the picture shows: as `closest`, but looking through the backs of materials that are
+    /// not double-sided.
+    std::optional<Hit> seen(glm::vec3 origin, glm::vec3 direction) const;
 
     /// True if the ray meets anything within (0, t_max]; t_max in lengths of `direction`, may be
     /// infinite.
@@ -63,7 +67,6 @@ public:
 
 private:
     struct State;
-    static void attach_triangles(State& state);
 
     std::unique_ptr<State> state_;
 };

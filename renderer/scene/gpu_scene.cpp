@@ -4,13 +4,9 @@
 namespace romascope {
 namespace {
 
-Buffer upload_materials(const std::vector<Material>& materials) {
-    std::vector<glm::vec4> data;
-    for (const Material& material : materials) {
-        data.emplace_back(material.base_color, 1.0f);
-        data.emplace_back(material.emissive, 0.0f);
-    }
-    return Buffer::from("materials", std::span<const glm::vec4>(data));
+template <class T>
+Buffer optional_attribute(const std::string& label, const std::vector<T>& data) {
+    return data.empty() ? Buffer() : Buffer::from(label, std::span(data));
 }
 
 } // namespace
@@ -19,36 +15,48 @@ GpuScene::GpuScene(const Scene& scene)
     : positions_(Buffer::from("positions", std::span(scene.positions))),
       normals_(Buffer::from("normals", std::span(scene.normals))),
       vertex_materials_(Buffer::from("vertex materials", std::span(scene.vertex_material))),
-      indices_(Buffer::from("indices", std::span(scene.indices))),
-      materials_(upload_materials(scene.materials)),
-      index_count_(static_cast<GLsizei>(scene.indices.size())), bounds_(scene.bounds) {
+      texcoords_(optional_attribute("texture coordinates", scene.texcoords)),
+      colors_(optional_attribute("vertex colours", scene.colors)),
+      indices_(Buffer::from("indices", std::span(scene.indices))), groups_(triangle_groups(scene)),
+      surfaces_(scene), bounds_(scene.bounds) {
     GLuint id = 0;
     glCreateVertexArrays(1, &id);
     vertex_array_ = GlHandle<delete_vertex_array>(id);
-    const auto attribute = [id](GLuint index, const Buffer& buffer, GLint components,
-                                GLsizei stride) {
+    const auto attribute = [id](GLuint index, const Buffer& buffer, GLsizei stride) {
         glVertexArrayVertexBuffer(id, index, buffer.id(), 0, stride);
         glEnableVertexArrayAttrib(id, index);
         glVertexArrayAttribBinding(id, index, index);
-        if (components == 1)
-            glVertexArrayAttribIFormat(id, index, 1, GL_UNSIGNED_INT, 0);
-        else
-            glVertexArrayAttribFormat(id, index, components, GL_FLOAT, GL_FALSE, 0);
     };
-    attribute(0, positions_, 3, sizeof(glm::vec3));
-    attribute(1, normals_, 3, sizeof(glm::vec3));
-    attribute(2, vertex_materials_, 1, sizeof(uint32_t));
+    attribute(0, positions_, sizeof(glm::vec3));
+    glVertexArrayAttribFormat(id, 0, 3, GL_FLOAT, GL_FALSE, 0);
+    attribute(1, normals_, sizeof(glm::vec3));
+    glVertexArrayAttribFormat(id, 1, 3, GL_FLOAT, GL_FALSE, 0);
+    attribute(2, vertex_materials_, sizeof(uint32_t));
+    glVertexArrayAttribIFormat(id, 2, 1, GL_UNSIGNED_INT, 0);
+    if (texcoords_.bytes() > 0) {
+        attribute(3, texcoords_, sizeof(glm::vec2));
+        glVertexArrayAttribFormat(id, 3, 2, GL_FLOAT, GL_FALSE, 0);
+    }
+    if (colors_.bytes() > 0) {
+        attribute(4, colors_, sizeof(uint32_t));
+        glVertexArrayAttribFormat(id, 4, 4, GL_UNSIGNED_BYTE, GL_TRUE, 0);
+    }
     glVertexArrayElementBuffer(id, indices_.id());
 }
 
-void GpuScene::draw() const {
+void GpuScene::draw(const TriangleGroup& group) const {
     glBindVertexArray(vertex_array_.id());
-    glDrawElements(GL_TRIANGLES, index_count_, GL_UNSIGNED_INT, nullptr);
+    // What attributes are where no buffer gives them; the context's state, not the vertex array's.
+    glVertexAttrib2f(3, 0.0f, 0.0f);
+    glVertexAttrib4f(4, 1.0f, 1.0f, 1.0f, 1.0f);
+    const uintptr_t offset = group.first * 3 * sizeof(uint32_t);
+    glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(group.count * 3), GL_UNSIGNED_INT,
+                   reinterpret_cast<const void*>(offset));
 }
 
 size_t GpuScene::bytes() const {
-    return positions_.bytes() + normals_.bytes() + vertex_materials_.bytes() + indices_.bytes() +
-           materials_.bytes();
+    return positions_.bytes() + normals_.bytes() + vertex_materials_.bytes() + texcoords_.bytes() +
+           colors_.bytes() + indices_.bytes() + surfaces_.bytes();
 }
 
 } // namespace romascope

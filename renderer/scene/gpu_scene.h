@@ -1,21 +1,23 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/gl/objects.h"
-#include "renderer/scene/scene.h"
+#include "renderer/scene/gpu_surfaces.h"
 
 namespace romascope {
 
-/// The scene's triangles and materials on the GPU: one vertex array, one draw.
+/// The scene's triangles and surfaces on the GPU: one vertex array, one draw for all triangles that
+/// are drawn alike.
 class GpuScene {
 public:
     explicit GpuScene(const Scene& scene);
 
-    /// Vertex attributes: 0 position, 1 normal, 2 material index.
-    void draw() const;
-    const Buffer& materials() const {
-        return materials_;
-    } ///< std430: vec4 base colour, vec4 emission
+    /// Vertex attributes: 0 position, 1 normal, 2 material index, 3 texture coordinates (0 if the
+    /// scene has none), 4 colour and alpha (1 if the scene has none).
+    void draw(const TriangleGroup& group) const;
+    const std::vector<TriangleGroup>& groups() const { return groups_; }
+    /// Whether attributes 3 and 4 say anything.
+    bool has_detail() const { return texcoords_.bytes() + colors_.bytes() > 0; }
+    const GpuSurfaces& surfaces() const { return surfaces_; }
     /// Three floats a vertex, for the pass that moves them.
     const Buffer& positions() const { return positions_; }
     const Buffer& normals() const { return normals_; }
@@ -25,9 +27,10 @@ public:
     size_t bytes() const;
 
 private:
-    Buffer positions_, normals_, vertex_materials_, indices_, materials_;
+    Buffer positions_, normals_, vertex_materials_, texcoords_, colors_, indices_;
     GlHandle<delete_vertex_array> vertex_array_;
-    GLsizei index_count_ = 0;
+    std::vector<TriangleGroup> groups_;
+    GpuSurfaces surfaces_;
     Bounds bounds_;
 };
 

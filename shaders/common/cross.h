@@ -22,6 +22,7 @@ using glm::min;
 using glm::uint;
 using glm::uvec2;
 using glm::uvec3;
+using glm::uvec4;
 using glm::vec2;
 using glm::vec3;
 using glm::vec4;

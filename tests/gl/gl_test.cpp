@@ -57,7 +57,7 @@ void GlTest::TearDown() {
 Scene scene_of_triangles(const std::vector<glm::vec3>& corners) {
     Scene scene;
     scene.name = "test";
-    scene.materials = {Material{}};
+    scene.materials = {{.double_sided = true}};
     for (size_t i = 0; i + 2 < corners.size(); i += 3) {
         const glm::vec3 normal =
             glm::normalize(glm::cross(corners[i + 1] - corners[i], corners[i + 2] - corners[i]));

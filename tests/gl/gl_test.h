@@ -31,7 +31,7 @@ protected:
     std::optional<PassTimer> timer_;
 };
 
-/// Triangles without an index shared, white, with flat normals.
+/// Triangles without an index shared, white, with flat normals, seen from both sides.
 Scene scene_of_triangles(const std::vector<glm::vec3>& corners);
 
 /// A rectangle of two triangles around `centre`, at right angles to `normal`.

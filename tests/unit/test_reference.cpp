@@ -33,12 +33,16 @@ constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr int kRays = 1 << 18;
 const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
 
+/// Of a material that is seen from both sides.
 void add_triangle(Scene& scene, const std::array<glm::vec3, 3>& corners,
                   const std::array<glm::vec3, 3>& normals) {
+    if (scene.materials.empty())
+        scene.materials.push_back({.double_sided = true});
     for (size_t i = 0; i < 3; ++i) {
         scene.indices.push_back(static_cast<uint32_t>(scene.positions.size()));
         scene.positions.push_back(corners[i]);
         scene.normals.push_back(normals[i]);
+        scene.vertex_material.push_back(0);
         scene.bounds.add(corners[i]);
     }
 }
@@ -453,6 +457,9 @@ TEST_F(Reference, anything_that_matters_misses_the_cache) {
     EXPECT_FALSE(hits([](DiscView& v) { v.scene.positions[5].x += 1e-3f; }));
     EXPECT_FALSE(hits([](DiscView& v) { v.scene.normals[0] = {0.6f, 0.8f, 0.0f}; }));
     EXPECT_FALSE(hits([](DiscView& v) { std::swap(v.scene.indices[0], v.scene.indices[1]); }));
+    EXPECT_TRUE(hits([](DiscView& v) { v.scene.materials[0].base_color = glm::vec3(0.2f); }));
+    EXPECT_FALSE(hits([](DiscView& v) { v.scene.materials[0].double_sided = false; }));
+    EXPECT_FALSE(hits([](DiscView& v) { v.scene.materials[0].alpha_cutoff = 0.5f; }));
     EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.eye.x += 1e-4f; }));
     EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.up = -v.query.camera.up; }));
     EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.vertical_fov += 1e-4f; }));

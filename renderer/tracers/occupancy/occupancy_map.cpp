@@ -3,6 +3,8 @@
 
 #include "shaders/common/random.h"
 
+#include <algorithm>
+
 namespace romascope {
 namespace {
 
@@ -25,11 +27,11 @@ std::vector<const KnobBase*> occupancy_knobs() {
     return {&kOccupancyResolution, &kOccupancyJitter, &kOccupancyAxes};
 }
 
-ShaderVariant OccupancyMap::variant() {
-    return {"voxelize",
+ShaderVariant OccupancyMap::variant(bool masked) {
+    return {masked ? "voxelize masked" : "voxelize",
             {{GL_VERTEX_SHADER, "tracers/occupancy/voxelize.vert.glsl"},
              {GL_FRAGMENT_SHADER, "tracers/occupancy/voxelize.frag.glsl"}},
-            {},
+            {{"ALPHA_MASK", masked ? "1" : "0"}},
             {}};
 }
 
@@ -44,7 +46,10 @@ void OccupancyMap::build(const FrameContext& frame) {
         framebuffer_ = Framebuffer("occupancy map", glm::ivec2(resolution));
         framebuffer_side_ = resolution;
     }
-    const Program& program = program_.get(frame.shaders, variant());
+    const GpuScene& scene = frame.scene;
+    const bool any_masked = std::ranges::any_of(scene.groups(), &TriangleGroup::masked);
+    const Program& plain = program_.get(frame.shaders, variant(false));
+    const Program& masked = any_masked ? masked_program_.get(frame.shaders, variant(true)) : plain;
 
     auto pass = frame.timer.raster("occupancy map");
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT); // the last frame's atomics come before
@@ -52,16 +57,20 @@ void OccupancyMap::build(const FrameContext& frame) {
     framebuffer_.bind();
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
-    program.use();
-    program.set("grid_origin", grid_.origin);
-    program.set("cells_per_metre", 1.0f / grid_.cell_size);
-    program.set("grid_size", grid_.size);
     texture_.bind_image(0, GL_READ_WRITE);
+    scene.surfaces().bind();
     const bool all = frame.settings.get(kOccupancyAxes) == OccupancyAxes::all;
-    for (int axis = all ? 0 : 2; axis < 3; ++axis) {
-        program.set("axis", axis);
-        glViewport(0, 0, grid_.size[(axis + 1) % 3], grid_.size[(axis + 2) % 3]);
-        frame.scene.draw();
+    for (const TriangleGroup& group : scene.groups()) {
+        const Program& program = group.masked ? masked : plain;
+        program.use();
+        program.set("grid_origin", grid_.origin);
+        program.set("cells_per_metre", 1.0f / grid_.cell_size);
+        program.set("grid_size", grid_.size);
+        for (int axis = all ? 0 : 2; axis < 3; ++axis) {
+            program.set("axis", axis);
+            glViewport(0, 0, grid_.size[(axis + 1) % 3], grid_.size[(axis + 2) % 3]);
+            scene.draw(group);
+        }
     }
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }

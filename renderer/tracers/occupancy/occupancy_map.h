@@ -36,7 +36,8 @@ inline const Knob<OccupancyAxes> kOccupancyAxes{
 
 std::vector<const KnobBase*> occupancy_knobs();
 
-/// The base occupancy map: one bit per cell of a grid around the scene, set where the scene is.
+/// The base occupancy map: one bit per cell of a grid around the scene, set where the scene is,
+/// whichever side of it; what a mask leaves out at the cell's centre does not count.
 /// Rasterised once per axis and joined with image atomics (Zeng et al. 2023, section 6; Eisemann
 /// and Décoret 2006). Memory depends on the resolution alone.
 class OccupancyMap {
@@ -52,10 +53,11 @@ public:
     /// Copies the map to the CPU, for tests and for views.
     BitGrid download() const;
 
-    static ShaderVariant variant();
+    /// `masked`: for triangles with an alpha mask.
+    static ShaderVariant variant(bool masked);
 
 private:
-    ProgramSlot program_;
+    ProgramSlot program_, masked_program_;
     OccupancyGrid grid_;
     Texture texture_;
     Framebuffer framebuffer_;

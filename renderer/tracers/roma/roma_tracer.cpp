@@ -145,8 +145,8 @@ size_t RomaTracer::bytes_needed(const Settings& settings) const {
 }
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
-    return {OccupancyMap::variant(), rotate_variant(settings, false),
-            rotate_variant(settings, true)};
+    return {OccupancyMap::variant(false), OccupancyMap::variant(true),
+            rotate_variant(settings, false), rotate_variant(settings, true)};
 }
 
 std::vector<uint32_t> RomaTracer::download_map(int index) const {

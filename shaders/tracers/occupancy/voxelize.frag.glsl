@@ -2,7 +2,13 @@
 // Marks the cell of the fragment as occupied (Zeng et al. 2023, section 6: three axes, joined).
 //
 // Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
-// Host: uniforms grid_size (cells), axis
+// Host: uniforms grid_size (cells), axis; ALPHA_MASK 0 or 1: leave out what the mask leaves out
+#if ALPHA_MASK
+#include "shaders/common/material.glsl"
+flat in uint material_index;
+in vec2 surface_uv;
+in float surface_vertex_alpha;
+#endif
 layout(r32ui, binding = 0) uniform uimage3D base_map;
 uniform ivec3 grid_size;
 uniform int axis;
@@ -13,6 +19,10 @@ void main() {
     // is hit is chance; another axis looks at this triangle from a better side.
     if (fwidth(depth_in_cells) > 128.0)
         discard;
+#if ALPHA_MASK
+    if (!surface_is_there(material_index, surface_uv, surface_vertex_alpha))
+        discard;
+#endif
     ivec2 across = ivec2(gl_FragCoord.xy);
     int depth = int(floor(depth_in_cells));
     ivec3 cell = axis == 0 ? ivec3(depth, across) : axis == 1 ? ivec3(across.y, depth, across.x) : ivec3(across, depth);
