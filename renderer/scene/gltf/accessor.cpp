@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/gltf/accessor.h"
 
-#include "renderer/scene/gltf/document.h"
+#include "renderer/scene/gltf/layout.h"
 
 #include <fmt/format.h>
 #include <tiny_gltf.h>
@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
-#include <span>
+#include <limits>
 
 namespace romascope::gltf {
 namespace {
@@ -29,115 +29,140 @@ const char* type_name(int type) {
     }
 }
 
-/// The bytes of a buffer view. Sums are arranged so that they cannot overflow.
-std::span<const unsigned char> view_bytes(const tinygltf::Model& model, int index,
-                                          const std::string& element) {
-    if (!present(index, model.bufferViews.size(), element, "bufferView"))
-        refuse(element, "has no bufferView; sparse and compressed accessors are not supported");
-    const tinygltf::BufferView& view = model.bufferViews[static_cast<size_t>(index)];
-    const std::string name = fmt::format("{}: bufferViews[{}]", element, index);
-    if (!view.extensions.empty() && view.extensions.contains("EXT_meshopt_compression"))
-        refuse(name, "compressed by EXT_meshopt_compression, which is not supported");
-    if (!present(view.buffer, model.buffers.size(), name, "buffer"))
-        refuse(name, "has no buffer");
-    const auto& bytes = model.buffers[static_cast<size_t>(view.buffer)].data;
-    if (view.byteOffset > bytes.size() || view.byteLength > bytes.size() - view.byteOffset)
-        refuse(name, fmt::format("offset {} and length {} reach beyond buffers[{}] of {} bytes",
-                                 view.byteOffset, view.byteLength, view.buffer, bytes.size()));
-    return std::span(bytes).subspan(view.byteOffset, view.byteLength);
+template <class T>
+T load(const std::byte* from) {
+    T value;
+    std::memcpy(&value, from, sizeof(value));
+    return value;
 }
 
+/// Normalised: 3.11 of the specification.
 template <class T>
-void copy_indices(const AccessorSpan& span, std::vector<uint32_t>& out) {
-    for (size_t i = 0; i < span.count; ++i) {
-        T value;
-        std::memcpy(&value, span.data + i * span.stride, sizeof(T));
-        out[i] = value;
+float to_float(const std::byte* from, bool normalized) {
+    const auto value = static_cast<float>(load<T>(from));
+    if (!normalized)
+        return value;
+    return std::max(value / static_cast<float>(std::numeric_limits<T>::max()), -1.0f);
+}
+
+float to_float(const std::byte* from, int component_type, bool normalized) {
+    switch (component_type) {
+    case TINYGLTF_COMPONENT_TYPE_BYTE:
+        return to_float<int8_t>(from, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return to_float<uint8_t>(from, normalized);
+    case TINYGLTF_COMPONENT_TYPE_SHORT:
+        return to_float<int16_t>(from, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return to_float<uint16_t>(from, normalized);
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT:
+        return to_float<uint32_t>(from, normalized);
+    default:
+        return load<float>(from);
     }
 }
 
 } // namespace
 
-bool present(int index, size_t count, const std::string& element, const char* kind) {
-    if (index == -1)
-        return false;
-    if (index < 0 || static_cast<size_t>(index) >= count)
-        refuse(element, fmt::format("{} {} does not exist, there are {}", kind, index, count));
-    return true;
+AccessorReader::AccessorReader(const Document& document, int accessor, const AccessorKind& kind,
+                               std::string element)
+    : element_(std::move(element)) {
+    const tinygltf::Model& model = document.model();
+    if (accessor < 0 || static_cast<size_t>(accessor) >= model.accessors.size())
+        refuse(element_, "has no accessor");
+    const tinygltf::Accessor& source = model.accessors[static_cast<size_t>(accessor)];
+    const auto name = [&] { return fmt::format("{}: accessors[{}]", element_, accessor); };
+    if (source.type != kind.type)
+        refuse(name(), fmt::format("is {}, but {} is needed", type_name(source.type),
+                                   type_name(kind.type)));
+    if (std::ranges::find(kind.component_types, source.componentType) == kind.component_types.end())
+        refuse(name(), fmt::format("component type {} does not go here", source.componentType));
+    const ElementLayout layout = element_layout(source.type, source.componentType);
+    count_ = source.count;
+    stride_ = element_stride(model, source);
+    component_ = layout.component;
+    rows_ = layout.rows;
+    column_stride_ = layout.column_stride;
+    components_ = static_cast<int>(layout.rows * layout.columns);
+    component_type_ = source.componentType;
+    normalized_ = source.normalized;
+    if (source.bufferView >= 0) // the document has checked that all elements lie in the view
+        data_ = document.view(source.bufferView).data() + source.byteOffset;
 }
 
-glm::vec3 AccessorSpan::vec3(size_t i) const {
-    glm::vec3 value;
-    std::memcpy(&value, data + i * stride, sizeof(value));
+const std::byte* AccessorReader::at(size_t i, int c) const {
+    const auto component = static_cast<size_t>(c);
+    return data_ + i * stride_ + component / rows_ * column_stride_ +
+           component % rows_ * component_;
+}
+
+void AccessorReader::read(size_t i, int first, int n, float* out) const {
+    for (int c = 0; c < n; ++c) {
+        out[c] = data_ ? to_float(at(i, first + c), component_type_, normalized_) : 0.0f;
+        if (!std::isfinite(out[c]))
+            refuse(element_, fmt::format("element {} is not finite", i));
+    }
+}
+
+float AccessorReader::number(size_t i, int c) const {
+    float value;
+    read(i, c, 1, &value);
     return value;
 }
 
-AccessorSpan open_accessor(const tinygltf::Model& model, int index, int type,
-                           const std::vector<int>& component_types, const std::string& element) {
-    if (!present(index, model.accessors.size(), element, "accessor"))
-        refuse(element, "has no accessor");
-    const tinygltf::Accessor& accessor = model.accessors[static_cast<size_t>(index)];
-    const std::string name = fmt::format("{}: accessors[{}]", element, index);
-    if (accessor.sparse.isSparse)
-        refuse(name, "sparse accessors are not supported");
-    if (accessor.type != type)
-        refuse(name,
-               fmt::format("is {}, but {} is needed", type_name(accessor.type), type_name(type)));
-    if (std::ranges::find(component_types, accessor.componentType) == component_types.end())
-        refuse(name,
-               fmt::format("component type {} is not supported here", accessor.componentType));
-    if (accessor.count == 0)
-        refuse(name, "has no elements");
-
-    const auto bytes = view_bytes(model, accessor.bufferView, name);
-    const auto& view = model.bufferViews[static_cast<size_t>(accessor.bufferView)];
-    const auto component = static_cast<size_t>(
-        tinygltf::GetComponentSizeInBytes(static_cast<uint32_t>(accessor.componentType)));
-    const size_t element_size =
-        component *
-        static_cast<size_t>(tinygltf::GetNumComponentsInType(static_cast<uint32_t>(accessor.type)));
-    const size_t stride = view.byteStride == 0 ? element_size : view.byteStride;
-    if (stride < element_size || stride > 252 || stride % component != 0)
-        refuse(name, fmt::format("byteStride {} does not fit elements of {} bytes", stride,
-                                 element_size));
-    if (accessor.byteOffset % component != 0)
-        refuse(name, fmt::format("byteOffset {} is not a multiple of {}", accessor.byteOffset,
-                                 component));
-    if (accessor.byteOffset > bytes.size() || element_size > bytes.size() - accessor.byteOffset ||
-        accessor.count - 1 > (bytes.size() - accessor.byteOffset - element_size) / stride)
-        refuse(name,
-               fmt::format("{} elements from byte {} reach beyond bufferViews[{}] of {} bytes",
-                           accessor.count, accessor.byteOffset, accessor.bufferView, bytes.size()));
-    return {bytes.data() + accessor.byteOffset, accessor.count, stride, accessor.componentType};
+glm::vec2 AccessorReader::vec2(size_t i) const {
+    glm::vec2 value;
+    read(i, 0, 2, &value.x);
+    return value;
 }
 
-std::vector<uint32_t> read_indices(const tinygltf::Model& model, int accessor,
-                                   const std::string& element) {
-    const AccessorSpan span = open_accessor(model, accessor, TINYGLTF_TYPE_SCALAR,
-                                            {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE,
-                                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
-                                             TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT},
-                                            element);
-    std::vector<uint32_t> indices(span.count);
-    if (span.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE)
-        copy_indices<uint8_t>(span, indices);
-    else if (span.component_type == TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT)
-        copy_indices<uint16_t>(span, indices);
-    else
-        copy_indices<uint32_t>(span, indices);
-    return indices;
+glm::vec3 AccessorReader::vec3(size_t i) const {
+    glm::vec3 value;
+    read(i, 0, 3, &value.x);
+    return value;
 }
 
-std::vector<glm::vec3> read_vec3(const AccessorSpan& span, size_t first, size_t count,
-                                 const std::string& element) {
-    std::vector<glm::vec3> values(count);
-    for (size_t i = 0; i < count; ++i) {
-        values[i] = span.vec3(first + i);
-        if (!std::isfinite(values[i].x) || !std::isfinite(values[i].y) ||
-            !std::isfinite(values[i].z))
-            refuse(element, fmt::format("element {} is not finite", first + i));
+glm::vec4 AccessorReader::vec4(size_t i) const {
+    glm::vec4 value;
+    read(i, 0, 4, &value.x);
+    return value;
+}
+
+glm::mat4 AccessorReader::mat4(size_t i) const {
+    glm::mat4 value;
+    read(i, 0, 16, &value[0].x);
+    return value;
+}
+
+uint32_t AccessorReader::integer(size_t i, int c) const {
+    if (!data_)
+        return 0;
+    switch (component_type_) {
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE:
+        return load<uint8_t>(at(i, c));
+    case TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT:
+        return load<uint16_t>(at(i, c));
+    default:
+        return load<uint32_t>(at(i, c));
     }
-    return values;
+}
+
+std::vector<uint32_t> read_indices(const Document& document, int accessor, size_t vertex_count,
+                                   const std::string& element) {
+    const AccessorReader reader(
+        document, accessor,
+        {TINYGLTF_TYPE_SCALAR,
+         {TINYGLTF_COMPONENT_TYPE_UNSIGNED_BYTE, TINYGLTF_COMPONENT_TYPE_UNSIGNED_SHORT,
+          TINYGLTF_COMPONENT_TYPE_UNSIGNED_INT}},
+        element);
+    std::vector<uint32_t> indices(reader.count());
+    for (size_t i = 0; i < indices.size(); ++i) {
+        indices[i] = reader.integer(i);
+        if (indices[i] >= vertex_count)
+            refuse(element, fmt::format("index {} names vertex {}, there are {}", i, indices[i],
+                                        vertex_count));
+    }
+    return indices;
 }
 
 } // namespace romascope::gltf

@@ -1,193 +1,148 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/gltf/document.h"
 
-#include "renderer/base/error.h"
+#include "renderer/scene/gltf/container.h"
+#include "renderer/scene/gltf/draco.h"
+#include "renderer/scene/gltf/extensions.h"
+#include "renderer/scene/gltf/json_text.h"
+#include "renderer/scene/gltf/layout.h"
+#include "renderer/scene/gltf/meshopt.h"
+#include "renderer/scene/gltf/message.h"
+#include "renderer/scene/gltf/model.h"
+#include "renderer/scene/gltf/nodes.h"
+#include "renderer/scene/gltf/resources.h"
+#include "renderer/scene/gltf/schema.h"
+#include "renderer/scene/gltf/storage.h"
 
 #include <fmt/format.h>
+#include <nlohmann/json.hpp>
 #include <tiny_gltf.h>
 
-#include <cstring>
-#include <fstream>
-#include <limits>
-#include <string_view>
-
 namespace romascope::gltf {
-namespace {
 
-namespace fs = std::filesystem;
+struct Document::State {
+    State(std::string bytes, const std::filesystem::path& path, MemoryBudget& budget)
+        : content(std::move(bytes)), resources(path), storage(budget) {}
 
-/// tinygltf walks JSON recursively and overflows the stack on 100,000 nested arrays. No honest
-/// file comes near this.
-constexpr int kMaxJsonDepth = 128;
+    void parse();
+    void load_buffers();
+    void open_views();
 
-/// The folder that external files must lie in, and the first file that did not.
-struct Sandbox {
-    fs::path folder;
-    std::string refused;
+    std::string content; ///< the file; the BIN chunk stays in here
+    Resources resources;
+    Storage storage;
+    std::optional<std::span<const std::byte>> binary;
+    ParsedModel parsed;
+    std::vector<std::optional<std::span<const std::byte>>> buffers; ///< none: without data
+    std::vector<std::string> notices;
 };
 
-bool inside(const fs::path& folder, const fs::path& file) {
-    std::error_code code;
-    const fs::path real = fs::weakly_canonical(file, code);
-    const fs::path relative = real.lexically_relative(folder);
-    return !code && !relative.empty() && *relative.begin() != "..";
+/// Up to the model, with everything checked that can be without looking into buffers.
+void Document::State::parse() {
+    /// Upper bound of what tinygltf keeps for a JSON object, materials apart.
+    constexpr size_t kPerObject = 1024;
+    storage.take(content.size(), 1, "the file");
+    const Container parts = split_container(content);
+    binary = parts.binary;
+    const JsonSize size = measure_json(parts.json);
+    storage.take(size.objects, kPerObject, "the JSON part");
+    // We and tinygltf parse it once each, with the text for tinygltf in between.
+    const size_t working = 2 * size.bytes + parts.json.size();
+    storage.budget().take(working, 1, "the JSON part");
+    nlohmann::json file = parse_json(parts.json);
+    check_versions(file, notices);
+    check_schema(file);
+    parsed = read_model(std::move(file), storage);
+    storage.budget().give(working);
+
+    std::vector<size_t> sizes;
+    for (const BufferSource& buffer : parsed.buffers)
+        sizes.push_back(buffer.size);
+    check_layout(parsed.model, sizes);
+    check_nodes(parsed.model);
 }
 
-/// Pictures are never decoded, so reading them would only cost time.
-bool is_picture(const fs::path& file) {
-    const std::string extension = file.extension().string();
-    for (const char* known : {".png", ".jpg", ".jpeg", ".webp", ".ktx2", ".dds", ".PNG", ".JPG"})
-        if (extension == known)
-            return true;
-    return false;
-}
-
-bool file_exists(const std::string& name, void* user) {
-    auto& sandbox = *static_cast<Sandbox*>(user);
-    std::error_code code;
-    if (is_picture(name) || !fs::is_regular_file(name, code))
-        return false;
-    if (inside(sandbox.folder, name))
-        return true;
-    if (sandbox.refused.empty())
-        sandbox.refused = name;
-    return false;
-}
-
-/// Names are taken as they are: no "~", no environment variables, no shell (CVE-2022-3008).
-std::string keep_path(const std::string& name, void*) { return name; }
-
-bool read_file(std::vector<unsigned char>* out, std::string* error, const std::string& name,
-               void* user) {
-    std::ifstream in(name, std::ios::binary | std::ios::ate);
-    const auto size = in ? static_cast<std::streamoff>(in.tellg()) : -1;
-    if (size < 0 || !file_exists(name, user)) {
-        *error = "cannot be read";
-        return false;
-    }
-    out->resize(static_cast<size_t>(size));
-    in.seekg(0);
-    in.read(reinterpret_cast<char*>(out->data()), size);
-    return in.good();
-}
-
-bool write_nothing(std::string*, const std::string&, const std::vector<unsigned char>&, void*) {
-    return false;
-}
-
-bool skip_image(tinygltf::Image*, int, std::string*, std::string*, int, int, const unsigned char*,
-                int, void*) {
-    return true;
-}
-
-void check_depth(std::string_view json) {
-    int depth = 0;
-    bool in_string = false;
-    for (size_t i = 0; i < json.size(); ++i) {
-        const char c = json[i];
-        if (in_string) {
-            if (c == '\\')
-                ++i;
-            else if (c == '"')
-                in_string = false;
-        } else if (c == '"') {
-            in_string = true;
-        } else if (c == '{' || c == '[') {
-            if (++depth > kMaxJsonDepth)
-                refuse("JSON", fmt::format("nested deeper than {} levels", kMaxJsonDepth));
-        } else if (c == '}' || c == ']') {
-            --depth;
+/// All buffers but those that only stand in for what we decode. A buffer without a URI may stay
+/// without data as long as nobody reads it.
+void Document::State::load_buffers() {
+    std::vector<bool> needed(parsed.buffers.size());
+    for (size_t i = 0; i < needed.size(); ++i)
+        needed[i] = !parsed.buffers[i].fallback;
+    for (size_t i = 0; i < parsed.model.bufferViews.size(); ++i)
+        needed[static_cast<size_t>(source_buffer(parsed.model, i))] = true;
+    buffers.resize(parsed.buffers.size());
+    for (size_t i = 0; i < buffers.size(); ++i) {
+        BufferSource& source = parsed.buffers[i];
+        const std::string element = fmt::format("buffers[{}]", i);
+        if (!needed[i])
+            continue;
+        if (!source.uri.empty()) {
+            const size_t before = storage.budget().taken();
+            auto bytes =
+                resources.read(source.uri, source.size, storage.budget(), element + ".uri");
+            storage.adopt(storage.budget().taken() - before);
+            buffers[i] = storage.keep(std::move(bytes));
+            source.uri = {};
+        } else if (i == 0 && binary) {
+            if (binary->size() < source.size)
+                refuse(element + ".byteLength", fmt::format("{}, but the BIN chunk has {} bytes",
+                                                            source.size, binary->size()));
+            buffers[i] = *binary;
         }
     }
 }
 
-/// The JSON in a .glb (header of 12 bytes, chunk header of 8) or in a .gltf; lengths that lie are
-/// left for tinygltf to refuse.
-std::string_view json_part(std::string_view content, bool binary) {
-    if (!binary)
-        return content;
-    uint32_t length = 0;
-    if (content.size() < 20)
-        return {};
-    std::memcpy(&length, content.data() + 12, sizeof(length));
-    return content.substr(20, length);
-}
-
-void check_versions(const tinygltf::Model& model) {
-    std::string needed;
-    for (const std::string& extension : model.extensionsRequired)
-        needed += (needed.empty() ? "" : ", ") + extension;
-    if (!model.extensionsRequired.empty())
-        refuse("extensionsRequired",
-               fmt::format("needs {}, which is not supported; export without it", needed));
-    const std::string& version = model.asset.version;
-    if (version != "2" && version.rfind("2.", 0) != 0)
-        refuse("asset.version", fmt::format("'{}', but glTF 2.0 is needed", version));
-    if (!model.asset.minVersion.empty() && model.asset.minVersion != "2.0")
-        refuse("asset.minVersion",
-               fmt::format("'{}', but only glTF 2.0 is read", model.asset.minVersion));
-}
-
-/// tinygltf itself follows the indices of primitives and refuses bad ones without saying where.
-void check_indices(const tinygltf::Model& model) {
-    const auto known = [](int index, size_t count) {
-        return index >= 0 && static_cast<size_t>(index) < count;
-    };
-    for (size_t m = 0; m < model.meshes.size(); ++m) {
-        const auto& primitives = model.meshes[m].primitives;
-        for (size_t p = 0; p < primitives.size(); ++p) {
-            const int accessor = primitives[p].indices;
-            const std::string element = fmt::format("meshes[{}].primitives[{}].indices", m, p);
-            if (accessor < 0)
-                continue;
-            if (!known(accessor, model.accessors.size()))
-                refuse(element, fmt::format("accessor {} does not exist, there are {}", accessor,
-                                            model.accessors.size()));
-            const int view = model.accessors[static_cast<size_t>(accessor)].bufferView;
-            if (!known(view, model.bufferViews.size()))
-                refuse(element,
-                       fmt::format("accessors[{}]: has no bufferView that exists", accessor));
-        }
+void Document::State::open_views() {
+    const auto& views = parsed.model.bufferViews;
+    storage.views.resize(views.size());
+    for (size_t i = 0; i < views.size(); ++i)
+        if (const auto& buffer = buffers[static_cast<size_t>(views[i].buffer)])
+            storage.views[i] = buffer->subspan(views[i].byteOffset, views[i].byteLength);
+    decode_meshopt(parsed.model, buffers, storage);
+    for (size_t i = 0; i < parsed.model.accessors.size(); ++i) {
+        const int view = parsed.model.accessors[i].bufferView;
+        if (view >= 0 && !storage.views[static_cast<size_t>(view)])
+            refuse(fmt::format("accessors[{}].bufferView", i),
+                   fmt::format("reads buffers[{}], which has no data",
+                               views[static_cast<size_t>(view)].buffer));
     }
+    resolve_sparse(parsed.model, storage);
+    decode_draco(parsed.model, storage);
 }
 
-} // namespace
-
-void parse(const std::string& content, const fs::path& path, tinygltf::Model& model) {
-    const bool binary = content.starts_with("glTF");
-    const size_t first = content.find_first_not_of(" \t\r\n\xef\xbb\xbf");
-    if (!binary && (first == std::string::npos || content[first] != '{'))
-        refuse("content", "not a glTF 2.0 file (.glb or .gltf)");
-    if (content.size() > std::numeric_limits<uint32_t>::max())
-        refuse("content", "larger than 4 GiB");
-    check_depth(json_part(content, binary));
-
-    const fs::path folder = path.has_parent_path() ? path.parent_path() : fs::path(".");
-    Sandbox sandbox{fs::weakly_canonical(folder), {}};
-    tinygltf::TinyGLTF loader;
-    loader.SetImageLoader(skip_image, nullptr);
-    loader.SetFsCallbacks({file_exists, keep_path, read_file, write_nothing, &sandbox});
-    std::string error;
-    std::string warning;
-    bool good = false;
-    const auto size = static_cast<unsigned int>(content.size());
+Document::Document(std::string content, const std::filesystem::path& path, MemoryBudget& budget)
+    : state_(std::make_unique<State>(std::move(content), path, budget)) {
     try {
-        good = binary ? loader.LoadBinaryFromMemory(
-                            &model, &error, &warning,
-                            reinterpret_cast<const unsigned char*>(content.data()), size,
-                            folder.string())
-                      : loader.LoadASCIIFromString(&model, &error, &warning, content.data(), size,
-                                                   folder.string());
-    } catch (const std::exception& exception) { // e.g. bad_alloc, or JSON of the wrong type
-        error += fmt::format("tinygltf gave up ({})", exception.what());
+        state_->parse();
+        state_->load_buffers();
+        state_->open_views();
+    } catch (const std::bad_alloc&) {
+        refuse("glTF", "there is not enough memory for it");
     }
-    check_versions(model);
-    if (good)
-        return;
-    if (!sandbox.refused.empty() && model.bufferViews.empty()) // stopped at the buffers
-        refuse("buffers", fmt::format("'{}' lies outside the folder of the file", sandbox.refused));
-    check_indices(model);
-    refuse("glTF", error.empty() ? "cannot be parsed" : error);
 }
+
+Document::~Document() = default;
+
+const tinygltf::Model& Document::model() const { return state_->parsed.model; }
+
+std::span<const std::byte> Document::view(int index) const {
+    const auto& view = state_->storage.views[static_cast<size_t>(index)];
+    if (!view)
+        refuse(fmt::format("bufferViews[{}]", index), "its buffer has no data");
+    return *view;
+}
+
+std::vector<std::byte> Document::image(int index) const {
+    const tinygltf::Image& image = model().images[static_cast<size_t>(index)];
+    const std::string element = fmt::format("images[{}]", index);
+    MemoryBudget& budget = state_->storage.budget();
+    if (image.bufferView < 0)
+        return state_->resources.read(image.uri, std::nullopt, budget, element + ".uri");
+    const auto bytes = view(image.bufferView);
+    budget.take(bytes.size(), 1, element);
+    return {bytes.begin(), bytes.end()};
+}
+
+const std::vector<std::string>& Document::notices() const { return state_->notices; }
 
 } // namespace romascope::gltf

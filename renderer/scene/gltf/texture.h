@@ -2,7 +2,7 @@
 #pragma once
 
 #include "renderer/base/memory.h"
-#include "renderer/scene/gltf/document_next.h"
+#include "renderer/scene/gltf/document.h"
 #include "renderer/scene/scene.h"
 
 #include <optional>
