@@ -66,6 +66,8 @@ int render(const RenderOptions& options) {
         {options.output, options.report, options.reference_output, options.error_map}, inputs);
     Scene scene = options.memory.load(file);
     Showing showing(scene, settings);
+    if (showing.is_asked_in_vain())
+        tell_notice(file, "has no animation: --time and --fps change nothing");
 
     const std::unique_ptr<Context> context = options.backend.make_context();
     const DriverFacts driver = query_driver();

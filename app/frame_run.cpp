@@ -50,6 +50,11 @@ void Showing::go_to(int frame) {
     camera_ = chosen_camera(scene_, settings_, pose_);
 }
 
+bool Showing::is_asked_in_vain() const {
+    return scene_.motion.animations.empty() &&
+           !(settings_.is_default(kTime) && settings_.is_default(kFps));
+}
+
 FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing) {
     const int frames = settings.get(kFrames);
     pipeline.restart();

@@ -22,6 +22,8 @@ public:
     /// Keeps references. Throws Error (kBadInput) if the scene lacks what the settings name.
     Showing(const Scene& scene, const Settings& settings);
     void go_to(int frame); ///< counted from 0
+    /// Whether the settings ask for a time or a course of time though the scene has no animation.
+    bool is_asked_in_vain() const;
     const Pose& pose() const { return pose_; }
     const Camera& camera() const { return camera_; }
 

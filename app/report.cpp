@@ -2,25 +2,22 @@
 #include "app/report.h"
 
 #include "app/build_facts.h"
+#include "app/json.h"
+#include "app/scene_facts.h"
 #include "renderer/frame/technique.h"
+#include "renderer/scene/pose.h"
 
 #include <fmt/format.h>
-#include <nlohmann/json.hpp>
 
 #include <cmath>
-#include <numbers>
 
 namespace romascope {
 namespace {
-
-using Json = nlohmann::ordered_json;
 
 /// JSON has no infinities; they are written as the text that --set takes.
 Json number(double value) {
     return std::isfinite(value) ? Json(value) : Json(to_text(KnobValue(value)));
 }
-
-Json vector(glm::vec3 v) { return {v.x, v.y, v.z}; }
 
 Json settings_json(const Settings& settings) {
     Json json = Json::object();
@@ -33,6 +30,15 @@ Json settings_json(const Settings& settings) {
             std::visit([&](const auto& plain) { json[key] = plain; }, value);
     }
     return json;
+}
+
+Json time_json(const Scene& scene, const Settings& settings) {
+    const int animation = find_animation(scene, settings.get(kAnimation));
+    const auto& animations = scene.motion.animations;
+    return {{"animation",
+             animation < 0 ? Json() : Json(animations[static_cast<size_t>(animation)].name)},
+            {"first_s", time_of_frame(settings, 0)},
+            {"last_s", time_of_frame(settings, settings.get(kFrames) - 1)}};
 }
 
 Json passes_json(const ReportFacts& facts) {
@@ -59,19 +65,9 @@ std::string report_json(const ReportFacts& facts) {
     json["program"] = {{"version", kVersion}, {"commit", kCommit}};
     json["technique"] = facts.technique.empty() ? Json() : Json(facts.technique);
     json["settings"] = settings_json(*facts.settings);
-    json["scene"] = {{"name", facts.scene->name},
-                     {"file", facts.scene_file},
-                     {"triangles", facts.scene->triangle_count()},
-                     {"vertices", facts.scene->positions.size()},
-                     {"materials", facts.scene->materials.size()},
-                     {"bounds_min_m", vector(facts.scene->bounds.min)},
-                     {"bounds_max_m", vector(facts.scene->bounds.max)}};
-    json["camera"] = {
-        {"name", facts.camera.name},
-        {"eye_m", vector(facts.camera.eye)},
-        {"forward", vector(facts.camera.forward)},
-        {"up", vector(facts.camera.up)},
-        {"vertical_fov_degrees", facts.camera.vertical_fov * 180.0 / std::numbers::pi}};
+    json["scene"] = scene_summary(*facts.scene, facts.scene_file);
+    json["camera"] = camera_json(facts.camera);
+    json["time"] = time_json(*facts.scene, *facts.settings);
     json["driver"] = {{"backend", facts.backend},          {"gl_version", facts.driver.version},
                       {"glsl_version", facts.driver.glsl}, {"vendor", facts.driver.vendor},
                       {"renderer", facts.driver.renderer}, {"software", facts.driver.software}};
@@ -88,7 +84,7 @@ std::string report_json(const ReportFacts& facts) {
                           {"rmse", facts.errors->rmse},
                           {"mae", facts.errors->mae},
                           {"bias", facts.errors->bias}};
-    return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+    return pretty(json);
 }
 
 std::string error_table(const ReportErrors& errors) {

@@ -13,6 +13,10 @@
 
 namespace romascope {
 
+void tell_notice(const std::filesystem::path& file, const std::string& notice) {
+    fmt::print(stderr, "notice: {}: {}\n", file.string(), notice);
+}
+
 void SceneOptions::add_to(CLI::App& command) {
     command
         .add_option("--max-memory", max_memory,
@@ -33,7 +37,7 @@ size_t SceneOptions::limit() const {
 Scene SceneOptions::load(const std::filesystem::path& file) const {
     Scene scene = load_gltf(file, limit());
     for (const std::string& notice : scene.notices)
-        fmt::print(stderr, "notice: {}: {}\n", file.string(), notice);
+        tell_notice(file, notice);
     return scene;
 }
 

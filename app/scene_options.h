@@ -14,6 +14,9 @@ class App;
 
 namespace romascope {
 
+/// A line on stderr about a file that is taken all the same.
+void tell_notice(const std::filesystem::path& file, const std::string& notice);
+
 /// --max-memory, for commands that load scenes.
 struct SceneOptions {
     std::optional<std::string> max_memory; ///< none: most of what is free

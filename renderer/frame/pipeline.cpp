@@ -46,8 +46,9 @@ Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& p
     const std::string text = settings.get(kCamera);
     if (text.empty())
         return camera_at(scene, 0, pose);
-    // Commas are no part of a sensible name: numbers were meant, and the form is what is wrong.
-    if (text.find_first_of("/,") != std::string::npos)
+    const bool named = std::ranges::find(scene.cameras, text, &Camera::name) != scene.cameras.end();
+    // Else numbers were meant, and the form is what is wrong: commas are rare in names.
+    if (!named && text.find_first_of("/,") != std::string::npos)
         return parse_camera(text);
     const auto index = static_cast<size_t>(&scene.camera(text) - scene.cameras.data());
     return camera_at(scene, index, pose);

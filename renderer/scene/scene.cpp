@@ -2,6 +2,7 @@
 #include "renderer/scene/scene.h"
 
 #include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -55,13 +56,18 @@ std::vector<TriangleGroup> triangle_groups(const Scene& scene) {
 }
 
 const Camera& Scene::camera(const std::string& wanted) const {
-    std::string names;
+    constexpr size_t kMostTold = 20;
+    std::vector<std::string> names;
     for (const Camera& candidate : cameras) {
         if (candidate.name == wanted)
             return candidate;
-        names += (names.empty() ? "" : ", ") + candidate.name;
+        names.push_back(candidate.name);
     }
-    throw Error(fmt::format("scene '{}' has no camera '{}'; it has: {}", name, wanted, names),
+    const std::string nearest = nearest_name(wanted, names);
+    const bool all = names.size() <= kMostTold;
+    names.resize(std::min(names.size(), kMostTold));
+    throw Error(fmt::format("scene '{}' has no camera '{}': did you mean '{}'? (it has {}{})", name,
+                            wanted, nearest, fmt::join(names, ", "), all ? "" : ", ..."),
                 kBadInput);
 }
 

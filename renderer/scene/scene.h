@@ -74,7 +74,8 @@ struct Scene {
 
     size_t triangle_count() const { return indices.size() / 3; }
 
-    /// The camera of that name. Throws Error (kBadInput) that lists the names there are.
+    /// The camera of that name. Throws Error (kBadInput) that tells the nearest and lists the
+    /// names.
     const Camera& camera(const std::string& wanted) const;
 };
 

@@ -24,7 +24,8 @@ class Words(CliTest):
 
     def test_missing_value(self):
         for option in ("--size", "--camera", "--frames", "--seed", "--set", "--config",
-                       "--technique", "--report", "--reference", "--backend", "--egl-device"):
+                       "--technique", "--report", "--reference", "--backend", "--egl-device",
+                       "--time", "--fps", "--animation", "--max-memory"):
             with self.subTest(option):
                 self.refuse_render(option, says=option)
         self.refuse("render", "scene.glb", "-o", says="--output")
@@ -59,7 +60,7 @@ class Values(CliTest):
         self.refuse("render", "scene.glb", "-o", "out.png", "--size", size, says=says)
 
     def test_camera(self):
-        self.refuse_render("--camera", "frnt", says=["'frnt'", "front, above"])
+        self.refuse_render("--camera", "frnt", says=["'frnt'", "did you mean 'front'", "front, above"])
         for camera in ("1,2,3/4,5/60", "1,2,3/4,5,6", "1,2,3/4,5,6/60/7", "/", "//",
                        "a,b,c/0,0,0/60", "1,2,3/0,0,nan/60", "1,2,3/inf,0,0/60"):
             with self.subTest(camera):
@@ -74,10 +75,21 @@ class Values(CliTest):
             for value in ("-1", "1.5", "abc", "99999999999999999999", "nan"):
                 with self.subTest(option=option, value=value):
                     self.refuse_render(option, value, says=[key, f"'{value}'", allowed])
+        for option, key in (("--time", "render.time"), ("--fps", "render.fps")):
+            for value in ("-1", "abc", "nan", "inf"):
+                with self.subTest(option=option, value=value):
+                    self.refuse_render(option, value, says=[key, f"'{value}'", "0 to 1"])
         self.refuse_render("--frames", "0", says="1 to 1000000")
         for value in ("0", "-4", "x", "1.5"):
             self.refuse_render("--reference", value, says="--reference")
         self.refuse_render("--egl-device", "x", says="--egl-device")
+
+    def test_animation(self):
+        self.refuse_render("--animation", "walk", says=["'walk'", "none at all"])
+        for option in ("--time", "--fps"):
+            result = self.succeed("render", "scene.glb", "-o", "out.png", "--size", "8x8", option,
+                                  "1")
+            self.assertRegex(result.stderr, r"\Anotice: scene.glb: has no animation: [^\n]*\n\Z")
 
     def test_reference_outputs_need_a_reference(self):
         self.refuse_render("--reference-output", "t.png", says="--reference N")

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """What `romascope info` and the help tell."""
 
+import json
+import math
 import re
 
 from helper import CliTest
@@ -42,6 +44,36 @@ class Info(CliTest):
         self.assertRegex(own, r"(?m)^hall .*\(the default scene\)$")
         for line in own.splitlines():
             self.assertRegex(line, r"cameras \S+, \S+, \S+")
+
+    def test_scene(self):
+        text = self.succeed("info", "scene.glb").stdout
+        for line in (r"scene +scene \(scene.glb\)", r"triangles +24", r"vertices +48, of which 0 move",
+                     r"size +6 x 1.2 x 6 m, from -3, -0.2, -3 to 3, 1, 3", r"memory +\d[.\d]* \w+",
+                     r"cameras +front, 51.6 degrees", r" +above, 51.6 degrees", r"textures +none",
+                     r"lights +none", r"animations +none", r"moving +none", r"notices +none"):
+            self.assertRegex(text, f"(?m)^{line}$")
+        self.assertIn("hall", self.succeed("info", "hall").stdout)
+
+    def test_scene_as_json(self):
+        told = json.loads(self.succeed("info", "scene.glb", "--json").stdout)
+        self.assertEqual(list(told), ["schema", "scene", "cameras", "materials", "textures",
+                                      "lights", "moving_parts"])
+        self.render("out.png", "--report", "out.json")
+        self.assertEqual(told["scene"], json.loads(self.path("out.json").read_text())["scene"])
+        self.assertEqual([camera["name"] for camera in told["cameras"]], ["front", "above"])
+        self.assertAlmostEqual(told["cameras"][0]["vertical_fov_degrees"], math.degrees(0.9), 4)
+        for material, color in zip(told["materials"], ((0.8, 0.8, 0.8), (0.8, 0.3, 0.2))):
+            for channel, known in zip(material["base_color"], color):
+                self.assertAlmostEqual(channel, known, 6)
+        self.assertRegex(told["schema"], r"\Aromascope-scene/\d+\Z")
+
+    def test_scene_refused(self):
+        self.write("bad.gltf", "{}")
+        self.refuse("info", "bad.gltf", says="bad.gltf")
+        self.refuse("info", "nowhere.glb", says="nowhere.glb")
+        self.refuse("info", "hal", says=["'hal'", "did you mean 'hall'"])
+        self.refuse("info", "--json", says="--json")
+        self.refuse("info", "scene.glb", "--knobs", says="--knobs")
 
     def test_help(self):
         for words in (("--help",), ("render", "--help"), ("compare", "-h"), ("info", "--help")):

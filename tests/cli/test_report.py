@@ -35,9 +35,22 @@ def fields(report):
             yield from ((f"passes[].{name}", entry)
                         for element in value for name, entry in element.items())
         elif isinstance(value, dict):
-            yield from ((f"{key}.{name}", entry) for name, entry in value.items())
+            for name, entry in value.items():
+                yield from elements(f"{key}.{name}", entry)
         else:
             yield key, value
+
+
+def elements(name, value):
+    """Of a list of objects each field; of a list of texts each text; else the value itself."""
+    if not isinstance(value, list) or any(isinstance(element, float) for element in value):
+        yield name, value
+        return
+    for element in value:
+        if isinstance(element, dict):
+            yield from ((f"{name}[].{key}", entry) for key, entry in element.items())
+        else:
+            yield f"{name}[]", element
 
 
 class Report(CliTest):
@@ -51,9 +64,16 @@ class Report(CliTest):
         for words in ((), ("--technique", "roma"), ("--reference", "4"),
                       ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60")):
             report = self.report(*words)
-            wanted = {name for name in documented
-                      if "--reference" in words or not name.startswith("errors.")}
-            self.assertEqual({name for name, _ in fields(report)}, wanted)
+            found = {name for name, _ in fields(report)}
+            # A scene need not have animations or notices.
+            maybe = {name for name in documented if name.startswith(
+                ("scene.animations[]", "scene.notices[]")
+                + (() if "--reference" in words else ("errors.",)))}
+            self.assertEqual(found - documented.keys(), set())
+            self.assertEqual(documented.keys() - found - maybe, set())
+            self.assertIn("animations", report["scene"])
+            self.assertIn("notices", report["scene"])
+            self.assertEqual("errors" in report, "--reference" in words)
             for name, value in fields(report):
                 self.assertTrue(TYPES[documented[name]](value), f"{name}: {value!r}")
 
@@ -94,6 +114,11 @@ class Report(CliTest):
         scene, camera = report["scene"], report["camera"]
         self.assertEqual((scene["triangles"], scene["vertices"], scene["materials"]), (24, 48, 2))
         self.assertEqual((scene["name"], scene["file"]), ("scene", "scene.glb"))
+        self.assertEqual([scene[name] for name in ("moving_vertices", "textures", "lights",
+                                                   "cameras", "animations", "notices")],
+                         [0, 0, 0, 2, [], []])
+        self.assertGreaterEqual(scene["bytes"], 48 * 28 + 72 * 4)
+        self.assertEqual(report["time"], {"animation": None, "first_s": 0, "last_s": 0})
         for measured, known in ((scene["bounds_min_m"], (-3, -0.2, -3)),
                                 (scene["bounds_max_m"], (3, 1, 3)),
                                 (camera["eye_m"], (0, 5, 0.01)), (camera["forward"], (0, -1, 0)),
