@@ -47,14 +47,14 @@ void Document::State::parse() {
     const JsonSize size = measure_json(parts.json);
     storage.take(size.objects, kPerObject, "the JSON part");
     // We and tinygltf parse it once each, with the text for tinygltf in between.
-    const size_t working = 2 * size.bytes + parts.json.size();
-    storage.budget().take(working, 1, "the JSON part");
-    nlohmann::json file = parse_json(parts.json);
-    check_versions(file, notices);
-    check_schema(file);
-    parsed = read_model(std::move(file), storage);
-    storage.budget().give(working);
-
+    {
+        const Loan working(storage.budget(), 2 * size.bytes + parts.json.size(), 1,
+                           "the JSON part");
+        nlohmann::json file = parse_json(parts.json);
+        check_versions(file, notices);
+        check_schema(file);
+        parsed = read_model(std::move(file), storage);
+    }
     std::vector<size_t> sizes;
     for (const BufferSource& buffer : parsed.buffers)
         sizes.push_back(buffer.size);

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 #include <tiny_gltf.h>
 
+#include <algorithm>
 #include <cstring>
 #include <map>
 #include <memory>
@@ -105,6 +106,19 @@ void check_header(const DracoHeader& header, const Request& request, const tinyg
                                         header.vertices, accessor, count(accessor)));
 }
 
+/// Bytes that decoding takes besides its results. After check_header, so that nothing overflows.
+size_t working_memory(const DracoHeader& header, const Request& request,
+                      const tinygltf::Model& model) {
+    size_t points = 3 * header.faces; // none is unused
+    size_t per_point = kPerPoint;
+    for (const auto& [name, id, accessor] : request.attributes) {
+        const auto& like = model.accessors[static_cast<size_t>(accessor)];
+        points = std::min(points, like.count);
+        per_point += 3 * element_layout(like.type, like.componentType).size();
+    }
+    return kPerFace * header.faces + per_point * points;
+}
+
 std::unique_ptr<draco::Mesh> decode_bytes(std::span<const std::byte> bytes,
                                           const std::string& element) {
     std::string reason;
@@ -181,14 +195,7 @@ Decoded decode(tinygltf::Model& model, Storage& storage, const Request& request,
                fmt::format("the buffer of bufferViews[{}] has no data", request.view));
     const DracoHeader header = read_draco_header(*view, element);
     check_header(header, request, model, element);
-    size_t per_point = kPerPoint;
-    for (const auto& [name, id, accessor] : request.attributes) {
-        const auto& like = model.accessors[static_cast<size_t>(accessor)];
-        per_point += 3 * element_layout(like.type, like.componentType).size();
-    }
-    // At most three points a face, as none is unused.
-    const size_t working = kPerFace + 3 * per_point;
-    storage.budget().take(header.faces, working, element);
+    const Loan working(storage.budget(), working_memory(header, request, model), 1, element);
     const auto mesh = decode_bytes(*view, element);
 
     Decoded decoded;
@@ -196,7 +203,6 @@ Decoded decode(tinygltf::Model& model, Storage& storage, const Request& request,
     for (const auto& [name, id, accessor] : request.attributes)
         decoded.attributes[name] =
             add_attribute(model, storage, *mesh, id, accessor, element + ".attributes." + name);
-    storage.budget().give(header.faces * working);
     return decoded;
 }
 

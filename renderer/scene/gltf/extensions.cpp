@@ -51,6 +51,8 @@ constexpr std::string_view kLook[] = {
 constexpr std::string_view kPictures[] = {"KHR_texture_basisu", "EXT_texture_webp",
                                           "EXT_texture_avif", "MSFT_texture_dds"};
 
+constexpr size_t kMostNotices = 16;
+
 bool among(const auto& names, const std::string& name) {
     return std::ranges::find(names, name) != std::end(names);
 }
@@ -102,9 +104,14 @@ void check_versions(const json& file, std::vector<std::string>& notices) {
         const auto used = texts(file, "extensionsUsed");
         return std::set<std::string>(used.begin(), used.end());
     }());
+    size_t left_out = 0;
     for (const std::string& name : in_use)
-        if (!name.empty() && !among(kDrawn, name) && !among(kPictures, name))
-            notices.push_back(one_line(name + ": not drawn"));
+        if (!name.empty() && !among(kDrawn, name) && !among(kPictures, name) &&
+            ++left_out <= kMostNotices)
+            notices.push_back(one_line("left out: what " + name + " adds"));
+    if (left_out > kMostNotices)
+        notices.push_back(
+            fmt::format("left out: what {} more extensions add", left_out - kMostNotices));
 }
 
 } // namespace romascope::gltf

@@ -100,10 +100,6 @@ size_t element_stride(const tinygltf::Model& model, const tinygltf::Accessor& ac
 }
 
 void check_layout(const tinygltf::Model& model, const std::vector<size_t>& buffer_sizes) {
-    for (size_t i = 0; i < model.bufferViews.size(); ++i)
-        if (model.bufferViews[i].byteStride % 4 != 0)
-            refuse(fmt::format("bufferViews[{}].byteStride", i),
-                   fmt::format("{} is not a multiple of 4", model.bufferViews[i].byteStride));
     check_views(model, buffer_sizes);
     for (size_t i = 0; i < model.accessors.size(); ++i) {
         const std::string element = fmt::format("accessors[{}]", i);

@@ -55,17 +55,17 @@ void check_nodes(const tinygltf::Model& model) {
         if (!met[i])
             refuse(fmt::format("nodes[{}]", i), "is its own descendant: the nodes form a cycle");
 
+    std::vector<size_t> named(parents.size(), 0); // by which scene last, counted from 1
     for (size_t s = 0; s < model.scenes.size(); ++s) {
-        std::vector<bool> named(parents.size(), false);
         for (size_t n = 0; n < model.scenes[s].nodes.size(); ++n) {
             const auto node = static_cast<size_t>(model.scenes[s].nodes[n]);
             const std::string element = fmt::format("scenes[{}].nodes[{}]", s, n);
             if (parents[node] != kNone)
                 refuse(element, fmt::format("node {} is a child of node {}, but must be a root",
                                             node, parents[node]));
-            if (named[node])
+            if (named[node] == s + 1)
                 refuse(element, fmt::format("node {} is named twice", node));
-            named[node] = true;
+            named[node] = s + 1;
         }
     }
 }

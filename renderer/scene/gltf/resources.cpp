@@ -135,7 +135,9 @@ fs::path Resources::file(const std::string& uri, const std::string& element) con
                                         name));
         std::error_code code;
         const fs::path real = fs::weakly_canonical(folder_ / name, code);
-        if (code || !inside(folder_, real))
+        if (code)
+            refuse(element, fmt::format("'{}' cannot be read: {}", name, code.message()));
+        if (!inside(folder_, real))
             refuse(element, fmt::format("'{}' lies outside the folder of the asset", name));
         if (fs::is_regular_file(real, code))
             return real;

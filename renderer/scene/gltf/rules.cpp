@@ -108,6 +108,8 @@ void Checker::check_integer(json& value, const Rule& rule, const Place& place) c
         if (!(number >= rule.low && number <= rule.high))
             fail(place,
                  fmt::format("{} is not from {:.0f} to {:.0f}", value.dump(), rule.low, rule.high));
+        if (value.get<uint64_t>() % rule.factor != 0)
+            fail(place, fmt::format("{} is not a multiple of {}", value.dump(), rule.factor));
     }
 }
 
@@ -197,10 +199,11 @@ Rule number_above(double low) {
     return rule;
 }
 
-Rule integer(double low, double high) {
+Rule integer(double low, double high, uint64_t factor) {
     Rule rule = of_kind(Rule::Kind::integer);
     rule.low = low;
     rule.high = std::min(high, kLargestInteger);
+    rule.factor = factor;
     return rule;
 }
 

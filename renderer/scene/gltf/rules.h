@@ -20,6 +20,7 @@ struct Rule {
     double low = -std::numeric_limits<double>::infinity(); ///< of numbers, inclusive
     double high = std::numeric_limits<double>::infinity();
     bool above_low = false;         ///< `low` itself is refused
+    uint64_t factor = 1;            ///< integers must be multiples of it
     std::vector<std::string> words; ///< all that a text may be; empty: any
     std::vector<int64_t> codes;     ///< all that an integer may be; empty: any in the range
     std::string target;             ///< of an index: the list that it counts in
@@ -38,7 +39,7 @@ Rule boolean();
 Rule text(std::vector<std::string> words = {});
 Rule number(double low = -std::numeric_limits<double>::infinity());
 Rule number_above(double low);
-Rule integer(double low, double high);
+Rule integer(double low, double high, uint64_t factor = 1);
 Rule code(std::vector<int64_t> codes);
 /// A position in the list of the file that is called `target`.
 Rule index(std::string target);

@@ -63,7 +63,7 @@ Rule buffer_view() {
                    {"buffer", index("buffers"), kRequired},
                    {"byteOffset", integer(0, kAny)},
                    {"byteLength", integer(0, kAny), kRequired},
-                   {"byteStride", integer(4, 252)},
+                   {"byteStride", integer(4, 252, 4)},
                    {"extensions", extensions({{"EXT_meshopt_compression", meshopt}})}});
 }
 
@@ -197,20 +197,21 @@ Rule root() {
     const Rule asset = object({{"version", text(), kRequired}, {"minVersion", text()}});
     const Rule scene = object({{"name", text()}, {"nodes", list(index("nodes"))}});
     const Rule lights = object({{"lights", list(light()), kRequired}});
+    // What others build on comes first, so that the first message names the cause.
     return object({{"asset", asset, kRequired},
-                   {"scene", index("scenes")},
-                   {"scenes", list(scene)},
-                   {"nodes", list(node())},
-                   {"meshes", list(mesh())},
-                   {"accessors", list(accessor())},
-                   {"bufferViews", list(buffer_view())},
                    {"buffers", list(buffer())},
-                   {"materials", list(material())},
-                   {"textures", list(texture())},
+                   {"bufferViews", list(buffer_view())},
+                   {"accessors", list(accessor())},
                    {"images", list(image())},
                    {"samplers", list(sampler())},
+                   {"textures", list(texture())},
+                   {"materials", list(material())},
+                   {"meshes", list(mesh())},
                    {"cameras", list(camera())},
                    {"skins", list(skin())},
+                   {"nodes", list(node())},
+                   {"scenes", list(scene)},
+                   {"scene", index("scenes")},
                    {"animations", list(animation())},
                    {"extensionsUsed", list(text())},
                    {"extensionsRequired", list(text())},

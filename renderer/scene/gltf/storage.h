@@ -16,6 +16,22 @@ class Model;
 
 namespace romascope::gltf {
 
+/// Memory that is in use as long as this object lives.
+class Loan {
+public:
+    Loan(MemoryBudget& budget, size_t count, size_t size, const std::string& what)
+        : budget_(budget), bytes_(count * size) {
+        budget_.take(count, size, what);
+    }
+    ~Loan() { budget_.give(bytes_); }
+    Loan(const Loan&) = delete;
+    Loan& operator=(const Loan&) = delete;
+
+private:
+    MemoryBudget& budget_;
+    size_t bytes_;
+};
+
 /// The bytes behind the buffer views of a model, and the views that decoding adds.
 class Storage {
 public:
