@@ -7,7 +7,7 @@ import importlib
 import os
 import sys
 
-SCENES = ("cornell", "dancers", "hall", "street", "thin")
+SCENES = ("cornell", "dancers", "foliage", "hall", "street", "thin")
 
 
 def main():

@@ -28,7 +28,9 @@ def add_skin(doc, name, joints, positions):
 def influences(shares):
     """(joints, weights) of a vertex from joint to share: the largest four, in 1/255."""
     largest = sorted(shares.items(), key=lambda item: (-item[1], item[0]))[:INFLUENCES]
-    total = sum(share for _, share in largest)
+    total = 0.0  # not sum(), which rounds in other ways from Python 3.12 on
+    for _, share in largest:
+        total += share
     weights = [int(255.0 * share / total + 0.5) for _, share in largest]
     weights[0] += 255 - sum(weights)
     pairs = [(joint, weight) for (joint, _), weight in zip(largest, weights) if weight > 0]

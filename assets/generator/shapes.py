@@ -213,7 +213,14 @@ def bar(start, end, width, height, up=(0.0, 1.0, 0.0)):
 
 def rod(start, end, radius, segments=6):
     """Round bar of one radius."""
-    return tube([start, end], [radius, radius], segments)
+    return cord([start, end], [radius, radius], segments)
+
+
+def cord(path, radii, segments=5):
+    """A tube that looks round with few sides, five at least; its ends stay sharp."""
+    mesh = tube(path, radii, segments)
+    mesh.crease = 80.0
+    return mesh
 
 
 def sheet(point, across, down, crease=60.0):

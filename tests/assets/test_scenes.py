@@ -3,8 +3,10 @@
 
 import collections
 import os
+import struct
 import sys
 import unittest
+import zlib
 
 from glb_file import GlbFile, product
 
@@ -191,6 +193,51 @@ class Dancers(unittest.TestCase):
             if channel["target"]["path"] == "rotation":
                 for q in self.file.rows[clip["samplers"][channel["sampler"]]["output"]]:
                     self.assertAlmostEqual(sum(x * x for x in q), 1.0, delta=1e-5)
+
+
+class Foliage(unittest.TestCase):
+    file = FILES["foliage"]
+
+    def test_leaves_are_masks_of_two_sides(self):
+        masks = [m for m in self.file.root["materials"] if m.get("alphaMode") == "MASK"]
+        self.assertGreater(len(masks), 5)
+        for material in masks:
+            self.assertEqual(material["alphaCutoff"], 0.5)
+            self.assertTrue(material["doubleSided"])
+            self.assertIn("baseColorTexture", material["pbrMetallicRoughness"])
+
+    def test_pictures_lie_on_both_sides_of_the_cutoff(self):
+        for image in self.file.root["images"]:
+            with self.subTest(picture=image["name"]):
+                alphas = palette_alphas(self.file.view(image["bufferView"]))
+                above = sum(a >= 128 for a in alphas) / len(alphas)
+                self.assertGreater(above, 0.1)
+                self.assertLess(above, 0.9)
+
+    def test_cards_show_all_of_their_picture(self):
+        for mesh in self.file.root["meshes"]:
+            for primitive in mesh["primitives"]:
+                if "TEXCOORD_0" in primitive["attributes"]:
+                    us, vs = zip(*self.file.rows[primitive["attributes"]["TEXCOORD_0"]])
+                    self.assertEqual((min(us), max(us), min(vs), max(vs)), (0.0, 1.0, 0.0, 1.0))
+
+
+def palette_alphas(png):
+    """Alpha of each pixel of a PNG with a palette and no filters."""
+    assert png[:8] == b"\x89PNG\r\n\x1a\n"
+    chunks, at = {}, 8
+    while at < len(png):
+        length, kind = struct.unpack_from(">I4s", png, at)
+        data = png[at + 8 : at + 8 + length]
+        assert struct.unpack_from(">I", png, at + 8 + length)[0] == zlib.crc32(kind + data)
+        chunks[kind] = data
+        at += 12 + length
+    width, height = struct.unpack_from(">II", chunks[b"IHDR"])
+    rows = zlib.decompress(chunks[b"IDAT"])
+    assert len(rows) == height * (width + 1)
+    assert not any(rows[y * (width + 1)] for y in range(height))
+    pixels = (rows[y * (width + 1) + 1 + x] for y in range(height) for x in range(width))
+    return [chunks[b"tRNS"][pixel] for pixel in pixels]
 
 
 class Street(unittest.TestCase):

@@ -9,7 +9,7 @@ from ..mesh import Vertices
 from ..surface_nets import Rod
 from .figure import Figure
 
-CELL = 0.019  # metres; of the surface's triangles
+CELL = 0.021  # metres; of the surface's triangles
 
 FIGURE = Figure(
     [

@@ -48,7 +48,7 @@ def _ribs():
             r = RADIUS * math.cos(b) * (1.0 + 0.045 * (1.0 - b / (math.pi / 2)))
             path.append((r * math.cos(a), DOWN * (math.sin(b) - 1.0) - 0.05 * (1.0 - b / (math.pi
                 / 2)) ** 3, -r * math.sin(a)))
-        ribs.append(shapes.tube(path, [0.009] * 9, 4))
+        ribs.append(shapes.cord(path, [0.009] * 9, 5))
     return ribs
 
 
@@ -63,7 +63,7 @@ def _tentacles():
             t = i / 12.0
             r = 0.92 * RADIUS * (1.0 - 0.25 * t) + 0.05 * math.sin(5.0 * t + k)
             path.append((r * math.cos(a), -DOWN - 0.02 - length * t, -r * math.sin(a)))
-        cords.append(shapes.tube(path, [0.010 - 0.006 * i / 12.0 for i in range(13)], 4))
+        cords.append(shapes.cord(path, [0.010 - 0.006 * i / 12.0 for i in range(13)], 5))
         for i in (6, 12):
             beads.append(shapes.sphere(0.034 - 0.0012 * i, 7, 4, path[i]))
     for k in range(4):

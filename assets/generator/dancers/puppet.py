@@ -18,7 +18,7 @@ FIGURE = Figure(
 
 def _turned(path, radii, segments=14):
     """A turned piece along a path; ends round off."""
-    return shapes.tube(path, radii, segments)
+    return shapes.cord(path, radii, segments)
 
 
 def _limb(offset, thick, thin):
@@ -45,7 +45,7 @@ def meshes(stage):
     skull = shapes.lathe([(0.0, -0.03), (0.035, -0.03), (0.07, 0.02), (0.092, 0.09), (0.095, 0.14),
         (0.075, 0.20), (0.04, 0.225), (0.0, 0.232)], 24).scaled(1.0, 1.0, 1.12).moved(0.0, 0.02,
             0.01)
-    nose = shapes.tube([(0.0, 0.135, 0.10), (0.0, 0.09, 0.128), (0.0, 0.08, 0.10)], [0.008, 0.015,
+    nose = shapes.cord([(0.0, 0.135, 0.10), (0.0, 0.09, 0.128), (0.0, 0.08, 0.10)], [0.008, 0.015,
         0.008], 8)
     hat = shapes.lathe([(0.0, 0.19), (0.11, 0.19), (0.125, 0.20), (0.10, 0.215), (0.04, 0.36),
         (0.0, 0.38)], 24).moved(0.0, 0.012, 0.0)

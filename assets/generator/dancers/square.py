@@ -139,7 +139,7 @@ def _garlands(stage):
             t = i / 10.0
             x, y, z = (a + (b - a) * t for a, b in zip(p, q))
             path.append((x, y - 0.30 * 4.0 * t * (1.0 - t), z))
-        cords.append(shapes.tube(path, [0.007] * 11, 5))
+        cords.append(shapes.cord(path, [0.007] * 11, 5))
         lamps += [shapes.sphere(0.045, 8, 5, (path[i][0], path[i][1] - 0.05, path[i][2])) for i in
             (2, 4, 6, 8)]
     stage.add("garlands", [("cord", cords), ("lamp", lamps)])

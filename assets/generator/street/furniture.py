@@ -59,7 +59,7 @@ def lamp():
         a = math.pi * k / 3
         c, s = math.cos(a), -math.sin(a)
         iron.append(shapes.rod((0.118 * c, 3.83, 0.118 * s), (0.198 * c, 4.29, 0.198 * s), 0.011,
-            4))
+            5))
     return [("iron", iron), ("lamp glass", glass)]
 
 
@@ -77,12 +77,12 @@ def bench():
         -0.25 - 0.035 * i), 0.095, 0.03, (0.0, 0.27, 1.0)) for i in range(3)]
     iron = []
     for x in (-0.68, 0.68):
-        iron.append(shapes.tube([(x, -0.02, 0.22), (x, 0.22, 0.16), (x, 0.43, 0.20)], [0.026, 0.020,
+        iron.append(shapes.cord([(x, -0.02, 0.22), (x, 0.22, 0.16), (x, 0.43, 0.20)], [0.026, 0.020,
             0.024], 6))
-        iron.append(shapes.tube([(x, -0.02, -0.30), (x, 0.24, -0.20), (x, 0.46, -0.24), (x, 0.88,
+        iron.append(shapes.cord([(x, -0.02, -0.30), (x, 0.24, -0.20), (x, 0.46, -0.24), (x, 0.88,
             -0.37)], [0.026, 0.020, 0.024, 0.016], 6))
         iron.append(shapes.rod((x, 0.43, -0.24), (x, 0.43, 0.22), 0.020, 6))
-        iron.append(shapes.tube([(x, 0.62, -0.28), (x, 0.66, -0.05), (x, 0.64, 0.16), (x, 0.45,
+        iron.append(shapes.cord([(x, 0.62, -0.28), (x, 0.66, -0.05), (x, 0.64, 0.16), (x, 0.45,
             0.20)], [0.016] * 4, 6))
     return [("wood", wood), ("iron", iron)]
 
@@ -154,7 +154,7 @@ def cafe_table():
         (0.0, 0.742)], 24, 40.0)
     iron = [shapes.rod((0.0, 0.1, 0.0), (0.0, 0.72, 0.0), 0.022, 8)]
     for k in range(3):
-        iron.append(shapes.tube([(0.0, 0.16, 0.0), (0.14, 0.12, 0.0), (0.27, 0.0, 0.0)], [0.018,
+        iron.append(shapes.cord([(0.0, 0.16, 0.0), (0.14, 0.12, 0.0), (0.27, 0.0, 0.0)], [0.018,
             0.016, 0.014], 6).turned_y(120.0 * k))
     cups = [shapes.lathe([(0.0, 0.0), (0.024, 0.0), (0.036, 0.055), (0.032, 0.055), (0.0, 0.012)],
         12, 40.0).moved(x, 0.741, z) for x, z in ((0.12, 0.10), (-0.14, -0.05))]
@@ -167,15 +167,15 @@ def cafe_chair():
         (0.0, 0.458)], 20, 40.0)
     wood = [seat]
     for sx in (-1, 1):
-        wood.append(shapes.tube([(0.18 * sx, 0.0, 0.17), (0.135 * sx, 0.45, 0.12)], [0.011, 0.014],
+        wood.append(shapes.cord([(0.18 * sx, 0.0, 0.17), (0.135 * sx, 0.45, 0.12)], [0.011, 0.014],
             6))
     bow = [(-0.19, 0.0, -0.20), (-0.165, 0.25, -0.165), (-0.16, 0.46, -0.15), (-0.175, 0.70, -0.20),
         (-0.13, 0.86, -0.235), (0.0, 0.91, -0.245)]
     bow += [(-x, y, z) for x, y, z in reversed(bow[:-1])]
-    wood.append(shapes.tube(bow, [0.012] * len(bow), 6))
+    wood.append(shapes.cord(bow, [0.012] * len(bow), 6))
     inner = [(-0.10, 0.46, -0.15), (-0.11, 0.66, -0.19), (0.0, 0.78, -0.222), (0.11, 0.66, -0.19),
         (0.10, 0.46, -0.15)]
-    wood.append(shapes.tube(inner, [0.009] * 5, 6))
+    wood.append(shapes.cord(inner, [0.009] * 5, 6))
     return [("wood", wood)]
 
 

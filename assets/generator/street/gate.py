@@ -36,8 +36,9 @@ def add_to(stage):
             - 0.02), (x + 0.25, spring + radius + 0.5), (x - 0.25, spring + radius + 0.5)], -0.05,
             0.27, crease=0.0))
     for y, out in ((6.05, 0.42), (8.0, 0.5)):  # dentils only where the houses leave them in view
-        stone += [m.moved(-half, 0.0, 0.0) for m in ornament.cornice(2.0 * half, y, out, False)]
-        stone += [m.moved(-6.1, 0.0, -0.004) for m in ornament.cornice(12.2, y, out)[1:]]
+        stone += [m.moved(-half, 0.0, 0.0) for m in ornament.cornice(2.0 * half, y, out)]
+        for x in ornament.runs(12.2):
+            stone += [m.moved(x - 6.1, y, 0.04) for m in ornament.dentils()]
     for x in (-3.25, 3.25, -6.1, 6.1):
         stone.append(shapes.box((x - 0.32, 0.0, -0.1), (x + 0.32, 6.06, 0.14)))
         stone.append(shapes.chamfered((x - 0.42, -0.05, -0.1), (x + 0.42, 0.75, 0.24), 0.04))
@@ -45,6 +46,8 @@ def add_to(stage):
     # Attic with a clock under a pediment.
     walls.append(shapes.box((-3.6, 8.1, -DEEP + 0.3), (3.6, 9.95, -0.10)))
     stone += [m.moved(-3.7, 0.0, -0.1) for m in ornament.cornice(7.4, 9.75, 0.40)]
+    for x in ornament.runs(7.4):
+        stone += [m.moved(x - 3.7, 9.75, -0.09) for m in ornament.dentils()]
     stone.append(shapes.prism([(-3.75, 10.06), (3.75, 10.06), (0.0, 11.30)], -0.9, 0.02,
         crease=0.0))
     for side in (-1, 1):

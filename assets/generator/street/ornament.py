@@ -5,24 +5,41 @@ import math
 
 from .. import shapes
 from ..polygon import rectangle
-from . import plan as p
 
 
-def cornice(width, y, out=0.34, dentils=True):
-    """Eaves cornice along x from 0 to width, its underside at y: moulding and dentils."""
+def cornice(width, y, out=0.34):
+    """Eaves cornice along x from 0 to width, its underside at y."""
     o = out
     profile = [(0.0, -0.03), (0.0, 0.05), (0.06, 0.08), (0.10, 0.08), (0.12, 0.55 * o),
         (0.17, 0.60 * o), (0.20, 0.80 * o), (0.28, o), (0.34, o), (0.34, -0.03)]
     e = 0.012
-    parts = [shapes.moulding([(s + y, t) for s, t in profile],
+    return [shapes.moulding([(s + y, t) for s, t in profile],
         shapes.straight_path((e, 0.0, 0.0), (width - e, 0.0, 0.0)), crease=0.0)]
-    if dentils:
-        count = int(width / 0.30)
-        for i in range(count):
-            x = (i + 0.5) * width / count
-            parts.append(shapes.box((x - 0.065, y + 0.02, -0.02), (x + 0.065, y + 0.13,
-                0.50 * o)))
-    return parts
+
+
+RUN = 1.2  # length of a run of dentils
+
+
+def dentils():
+    """A run of four under a cornice, its underside at y = 0."""
+    xs = [0.30 * (i + 0.5) for i in range(4)]
+    return [shapes.box((x - 0.065, 0.02, -0.02), (x + 0.065, 0.13, 0.19)) for x in xs]
+
+
+def runs(width):
+    """Where runs of dentils begin along a front."""
+    count = int(width / RUN)
+    return [(width - RUN * count) / 2.0 + RUN * i for i in range(count)]
+
+
+def balusters(length):
+    """A row of them for a parapet, from x = 0 to `length`; the wall's top is y = 0."""
+    row, count = [], int(length / 0.27)
+    for i in range(count):
+        x = length * (i + 0.5) / count
+        row.append(shapes.lathe([(0.0, 0.12), (0.05, 0.12), (0.05, 0.18), (0.085, 0.30), (0.04,
+            0.50), (0.06, 0.68), (0.0, 0.68)], 6, crease=50.0).moved(x, 0.0, 0.0))
+    return row
 
 
 def band(width, y, out=0.07, high=0.16):
@@ -66,7 +83,7 @@ def balcony(width, out=0.75):
             t = i / count
             x, z = ax + (bx - ax) * t, az + (bz - az) * t
             if z > 0.02 and not (i == count and bz == rim and ax == bx):
-                iron.append(shapes.rod((x, -0.01, z), (x, 0.94, z), 0.008, 4))
+                iron.append(shapes.rod((x, -0.01, z), (x, 0.94, z), 0.008, 5))
     return [("stone", stone), ("iron", iron)]
 
 
@@ -124,7 +141,7 @@ def downpipe(top):
 
 
 def parapet(width, y, out=0.06):
-    """Balustrade between piers along the wall's top."""
+    """Piers and rails along the wall's top; `parapet_gaps` have the balusters."""
     parts, z = [], -0.16 + out
     piers = [0.24] + [0.24 + (width - 0.48) * k / 3 for k in (1, 2)] + [width - 0.24]
     for x in piers:
@@ -134,14 +151,10 @@ def parapet(width, y, out=0.06):
     for a, b in zip(piers, piers[1:]):
         parts.append(shapes.box((a + 0.18, y - 0.01, z - 0.12), (b - 0.18, y + 0.14, z + 0.12)))
         parts.append(shapes.box((a + 0.18, y + 0.66, z - 0.13), (b - 0.18, y + 0.80, z + 0.13)))
-        count = int((b - a - 0.4) / 0.27)
-        for i in range(count):
-            x = a + 0.2 + (b - a - 0.4) * (i + 0.5) / count
-            parts.append(shapes.lathe([(0.0, y + 0.12), (0.05, y + 0.12), (0.05, y + 0.18),
-                (0.085, y + 0.30), (0.04, y + 0.50), (0.06, y + 0.68), (0.0, y + 0.68)], 6,
-                crease=50.0).moved(x, 0.0, z))
     return parts
 
 
-def wall_top(storeys):
-    return p.EAVES[storeys - 2]
+def parapet_gaps(width):
+    """(x, z) at which the rows of balusters begin, and their length."""
+    length = (width - 0.48) / 3.0
+    return [(0.44 + length * k, -0.10) for k in range(3)], length - 0.4

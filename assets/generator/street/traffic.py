@@ -83,7 +83,7 @@ def car():
     for x, sign in ((1.99, 1), (-1.99, -1)):
         path = [(x - 0.22 * sign, 0.43, -0.80), (x, 0.43, -0.66), (x + 0.03 * sign, 0.43, 0.0),
             (x, 0.43, 0.66), (x - 0.22 * sign, 0.43, 0.80)]
-        chrome.append(shapes.tube(path, [0.045] * 5, 8))
+        chrome.append(shapes.cord(path, [0.045] * 5, 8))
         chrome += [shapes.sphere(0.06, 8, 6, (x + 0.02 * sign, 0.43, z)) for z in (-0.35, 0.35)]
     lamp = [(0.0, 0.0), (0.115, 0.0), (0.125, 0.03), (0.10, 0.05), (0.0, 0.07)]
     lens = []
@@ -126,7 +126,7 @@ def bicycle():
         for k in range(12):
             a = math.pi * k / 6 + 0.1
             iron.append(shapes.rod((x, 0.352, 0.014 * (-1) ** k), (x + 0.33 * math.cos(a), 0.352
-                + 0.33 * math.sin(a), 0.0), 0.0016, 3))
+                + 0.33 * math.sin(a), 0.0), 0.0016, 5))
         iron.append(shapes.rod((x, 0.352, -0.05), (x, 0.352, 0.05), 0.018, 6))
     crank, seat, head = (-0.06, 0.29, 0.0), (-0.18, 0.78, 0.0), (0.36, 0.80, 0.0)
     frame = [shapes.rod(a, b, 0.014, 6) for a, b in ((crank, seat), (seat, head), (crank, (0.38,
@@ -135,7 +135,7 @@ def bicycle():
         frame += [shapes.rod((-0.52, 0.352, z), (seat[0], seat[1] - 0.04, 0.3 * z), 0.008, 5),
             shapes.rod((-0.52, 0.352, z), (crank[0], crank[1], 0.4 * z), 0.008, 5), shapes.rod(
                 (0.52, 0.352, z), (0.40, 0.63, 0.5 * z), 0.009, 5)]
-    iron += [shapes.tube([(0.20, 0.95, -0.26), (0.30, 0.98, -0.20), (0.33, 0.95, 0.0), (0.30, 0.98,
+    iron += [shapes.cord([(0.20, 0.95, -0.26), (0.30, 0.98, -0.20), (0.33, 0.95, 0.0), (0.30, 0.98,
         0.20), (0.20, 0.95, 0.26)], [0.011] * 5, 6), shapes.rod(seat, (-0.21, 0.93, 0.0), 0.012, 6),
         shapes.hoop([(0.085, -0.004), (0.095, -0.004), (0.095, 0.004), (0.085, 0.004)], 20,
             30.0).along_y().facing_outward().moved(crank[0], crank[1], 0.05)]

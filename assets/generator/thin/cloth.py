@@ -17,7 +17,7 @@ def _washing(stage):
     x, ends, height = 3.72, (-2.75, 0.75), 1.92
     steel, pegs = [], []
     for z in ends:
-        steel.append(shapes.tube([(x, -0.02, z), (x, height + 0.05, z)], [0.022, 0.018], 10))
+        steel.append(shapes.cord([(x, -0.02, z), (x, height + 0.05, z)], [0.022, 0.018], 10))
         steel.append(shapes.rod((x - 0.42, height, z), (x + 0.42, height, z), 0.013, 8))
 
     def line(offset, u):
@@ -27,7 +27,7 @@ def _washing(stage):
     for offset in (-0.34, 0.34):
         path = [(x + offset, line(offset, i / 16), ends[0] + (ends[1] - ends[0]) * i / 16)
             for i in range(17)]
-        steel.append(shapes.tube(path, [0.0025] * 17, 5))
+        steel.append(shapes.cord(path, [0.0025] * 17, 5))
     washing = (
         # line, from, to, drop, cloth, wind
         (-0.34, 0.05, 0.42, 1.30, "linen", 0.16), (-0.34, 0.46, 0.66, 0.62, "madder cloth", 0.10),

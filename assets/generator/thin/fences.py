@@ -76,7 +76,7 @@ def _wire(length, height):
         x0, x1 = max(0.0, -c), min(length, height - c)
         for side, edge, way in ((z, 0.0, 1.0), (-z, length, -1.0)):
             wires.append(shapes.rod((edge + way * x0, x0 + c + 0.04, side),
-                (edge + way * x1, x1 + c + 0.04, side), 0.0015, 4))
+                (edge + way * x1, x1 + c + 0.04, side), 0.0015, 5))
         k += 1
     for y in (0.04, 0.04 + height):
         wires.append(shapes.rod((0.0, y, 0.0), (length, y, 0.0), 0.0025, 6))
@@ -84,5 +84,5 @@ def _wire(length, height):
 
 
 def _pole(height):
-    return [shapes.tube([(0.0, -0.02, 0.0), (0.0, height, 0.0)], [0.021, 0.021], 10),
+    return [shapes.cord([(0.0, -0.02, 0.0), (0.0, height, 0.0)], [0.021, 0.021], 10),
         shapes.sphere(0.026, 12, 6, (0.0, height, 0.0))]

@@ -27,7 +27,7 @@ def _turned(low, high, radius, segments=8):
     for t, r in ((0.0, 0.55), (0.35, 0.75), (0.65, 1.0), (0.9, 0.8), (1.0, 0.7)):
         path.append(tuple(a + (b - a) * t for a, b in zip(low, high)))
         radii.append(radius * r)
-    return shapes.tube(path, radii, segments)
+    return shapes.cord(path, radii, segments)
 
 
 def _mix(a, b, t):
@@ -60,12 +60,12 @@ def spindle_chair():
         a = math.pi * i / 16
         x, y = 0.20 * math.cos(a), 0.45 * abs(math.sin(a)) ** 0.62
         bow.append((x, 0.440 + y, -0.155 - 0.22 * y - 0.05 * (1.0 - (x / 0.20) ** 2)))
-    wood.append(shapes.tube(bow, [0.0085] * len(bow), 7))
+    wood.append(shapes.cord(bow, [0.0085] * len(bow), 7))
     for i in range(7):
         x = -0.135 + 0.045 * i
         y = 0.45 * math.sqrt(max(0.0, 1.0 - (x / 0.20) ** 2)) ** 0.62
         z = 0.05 * (1.0 - (x / 0.20) ** 2)
-        wood.append(shapes.tube([(0.8 * x, 0.44, -0.155 - 0.6 * z),
+        wood.append(shapes.cord([(0.8 * x, 0.44, -0.155 - 0.6 * z),
             (0.92 * x, 0.44 + 0.4 * y, -0.155 - 0.088 * y - 0.8 * z),
             (x, 0.44 + y, -0.155 - 0.22 * y - z)], [0.0048, 0.0062, 0.0040], 6))
     return [("beech", wood)]
@@ -83,7 +83,7 @@ def table():
     for k in range(3):
         path = [(0.40, 0.0, 0.0), (0.25, 0.16, 0.0), (0.13, 0.36, 0.0), (0.16, 0.56, 0.0),
             (0.34, 0.70, 0.0)]
-        legs.append(shapes.tube(path, [0.011] * 5, 8).turned_y(120.0 * k + 30.0))
+        legs.append(shapes.cord(path, [0.011] * 5, 8).turned_y(120.0 * k + 30.0))
     legs.append(shapes.hoop([(0.128, 0.352), (0.140, 0.352), (0.140, 0.366), (0.128, 0.366)], 24))
     cups = []
     for x, z, h in ((-0.22, 0.10, 0.075), (0.18, -0.2, 0.075), (0.02, 0.26, 0.06)):
@@ -94,7 +94,7 @@ def table():
         (0.038, 0.23), (0.034, 0.19), (0.0, 0.15)]
     cups.append(shapes.lathe(jug, 24).moved(0.10, 0.731, 0.06))
     handle = [(0.045, 0.20), (0.085, 0.19), (0.10, 0.14), (0.072, 0.08)]
-    cups.append(shapes.tube([(0.10 + x, 0.731 + y, 0.06) for x, y in handle], [0.006] * 4, 6))
+    cups.append(shapes.cord([(0.10 + x, 0.731 + y, 0.06) for x, y in handle], [0.006] * 4, 6))
     return [("beech", slats), ("steel", legs), ("clay", cups)]
 
 

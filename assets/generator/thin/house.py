@@ -146,7 +146,7 @@ def _blind(width, height, drop, tilt):
     cords = []
     for x in (0.12, width - 0.12):
         for z in (-0.027, 0.027):
-            cords.append(shapes.rod((x, y + 0.005, z), (x, height - 0.02, z), 0.0015, 4))
+            cords.append(shapes.rod((x, y + 0.005, z), (x, height - 0.02, z), 0.0015, 5))
     cords.append(shapes.rod((width - 0.05, 0.25 * height, 0.034), (width - 0.05, height, 0.034),
         0.002, 5))
     return slats, cords

@@ -20,7 +20,7 @@ def add_to(stage):
     stage.add("lantern", lantern(), [(-1.5, p.CEILING, -2.35, 0.0), (-2.2, p.CEILING, -1.0, 40.0)])
     stage.add("blades in a pot", plant(3), [(-4.25, y - 0.004, 0.05, 70.0),
         (2.22, y - 0.004, -0.02, 160.0)])
-    stage.add("clothes rail", [("steel", [shapes.tube(path, [0.009] * len(path), 6) for path in (
+    stage.add("clothes rail", [("steel", [shapes.cord(path, [0.009] * len(path), 6) for path in (
         [(-0.5, 0.0, 0.0), (-0.5, 1.45, 0.0), (0.5, 1.45, 0.0), (0.5, 0.0, 0.0)],
         [(-0.5, 0.01, -0.22), (-0.5, 0.01, 0.22)], [(0.5, 0.01, -0.22), (0.5, 0.01, 0.22)])]),
         ("madder cloth", _hung(-0.22, 0.36, 0.95)), ("linen", _hung(0.22, 0.30, 0.72))],
