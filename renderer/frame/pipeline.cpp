@@ -60,12 +60,13 @@ Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame) {
 }
 
 Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
-    : shaders_(std::move(shaders)), motion_(scene.motion), scene_(scene), deform_(scene.motion) {}
+    : shaders_(std::move(shaders)), source_(scene), scene_(scene), deform_(scene.motion) {}
 
 void Pipeline::set_pose(const Pose& pose) {
-    if (motion_.parts.empty() || pose == pose_)
+    if (source_.motion.empty() || pose == pose_)
         return;
-    deform_.run(shaders_, timer_, scene_, motion_, pose);
+    if (!source_.motion.parts.empty())
+        deform_.run(shaders_, timer_, scene_, source_.motion, pose);
     pose_ = pose;
     mean_.reset();
 }
@@ -119,7 +120,7 @@ Image Pipeline::picture() const {
 
 std::vector<StructureBytes> Pipeline::bytes() const {
     std::vector<StructureBytes> all = {{"scene", scene_.bytes()}};
-    if (!motion_.parts.empty())
+    if (!source_.motion.parts.empty())
         all.push_back(deform_.bytes());
     all.push_back(gbuffer_.bytes());
     if (tracer_)

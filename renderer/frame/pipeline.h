@@ -41,7 +41,7 @@ private:
     void restart_on_change(const Settings& settings, const Camera& camera);
 
     ShaderLibrary shaders_;
-    const Motion& motion_;
+    const Scene& source_;
     GpuScene scene_;
     PassTimer timer_;
     Deform deform_;

@@ -76,8 +76,6 @@ Deform::Deform(const Motion& motion) : bounds_(motion) {
 
 void Deform::run(const ShaderLibrary& shaders, PassTimer& timer, GpuScene& scene,
                  const Motion& motion, const Pose& pose) {
-    if (motion.parts.empty())
-        return;
     const std::vector<glm::dmat4> matrices = palette(motion, pose);
     const Bounds bounds = bounds_.at(motion, pose, matrices);
     const Program& program = program_.get(shaders, variant());

@@ -15,7 +15,7 @@ public:
     explicit Deform(const Motion& motion);
 
     /// Rewrites positions and normals of what moves, and the bounds of `scene`. `motion`: the one
-    /// given before. Throws as MovingBounds::at does, with nothing changed.
+    /// given before, with at least one part. Throws as MovingBounds::at does, with nothing changed.
     void run(const ShaderLibrary& shaders, PassTimer& timer, GpuScene& scene, const Motion& motion,
              const Pose& pose);
 
