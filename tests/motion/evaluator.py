@@ -50,23 +50,14 @@ def unit(v):
     return [x / size for x in v] if size > 0.0 else list(v)
 
 
-def solve(rows, right):
-    """Cramer's rule for three unknowns; None if there is no single answer."""
-    columns = [[row[i] for row in rows] for i in range(3)]
-    determinant = dot(columns[0], cross(columns[1], columns[2]))
-    scale = math.prod(math.sqrt(dot(c, c)) for c in columns)
-    if abs(determinant) <= 1e-9 * scale:
+def inverse_transpose(matrix):
+    """Rows of it, of the upper left 3 x 3; None if there is none. The columns of the inverse are cross
+    products of the rows, over the determinant."""
+    x, y, z = (row[:3] for row in matrix[:3])
+    determinant = dot(x, cross(y, z))
+    if abs(determinant) <= 1e-9 * math.prod(math.sqrt(dot(row, row)) for row in (x, y, z)):
         return None
-    return [dot(right if i == 0 else columns[0],
-                cross(right if i == 1 else columns[1], right if i == 2 else columns[2])) / determinant
-            for i in range(3)]
-
-
-def moved_normal(matrix, normal):
-    """By the inverse transpose: what solves transpose(matrix) x = normal."""
-    transposed = [[matrix[j][i] for j in range(3)] for i in range(3)]
-    answer = solve(transposed, normal)
-    return None if answer is None else unit(answer)
+    return [[value / determinant for value in pair] for pair in (cross(y, z), cross(z, x), cross(x, y))]
 
 
 class File:
@@ -236,7 +227,9 @@ class File:
         matrices = self.vertex_matrices(attributes, node, world) or [own_matrix] * len(positions)
         positions = [[dot(row, p) + row[3] for row in matrix[:3]] for matrix, p in zip(matrices, positions)]
         if normals:
-            normals = [moved_normal(matrix, n) for matrix, n in zip(matrices, normals)]
+            turns = {id(matrix): inverse_transpose(matrix) for matrix in matrices}
+            turned = [turns[id(matrix)] for matrix in matrices]
+            normals = [turn and unit([dot(row, n) for row in turn]) for turn, n in zip(turned, normals)]
         order = ([i for (i,) in self.accessor(primitive["indices"])] if "indices" in primitive
                  else range(len(positions)))
         if mode == 4:
