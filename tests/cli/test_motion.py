@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""Scenes that move, from the command line."""
+
+import json
+import sys
+
+from helper import SOURCE, CliTest
+
+sys.path.insert(0, str(SOURCE / "tests" / "motion"))
+import random_gltf
+
+
+class Moving(CliTest):
+    def setUp(self):
+        super().setUp()
+        # All kinds of motion; animations "animation 0" and "animation 1", each over a second long.
+        random_gltf.Writer(3).write(self.path("moving.gltf"))
+
+    def at(self, *words):
+        return self.picture_bytes(*words, scene="moving.gltf")
+
+    def report(self, *words):
+        self.render("out.png", "--report", "report.json", *words, scene="moving.gltf")
+        return json.loads(self.path("report.json").read_text())
+
+    def test_pictures_of_other_moments_differ_and_of_one_do_not(self):
+        start = self.at("--animation", "0")
+        self.assertEqual(self.at(), start)
+        self.assertEqual(self.at("--animation", "animation 0", "--time", "0"), start)
+        for other in (("--time", "0.75"), ("--animation", "1"), ("--animation", "none")):
+            self.assertNotEqual(self.at(*other), start, other)
+
+    def test_a_run_of_frames_is_the_same_each_time_and_ends_at_its_last_moment(self):
+        run = ("--time", "0.25", "--fps", "4", "--frames", "3")
+        truth = ("--reference", "4", "--reference-output")
+        first = self.at(*run, *truth, "run.hdr")
+        self.assertEqual(self.at(*run), first)
+        self.assertIn("from the cache", self.run_at("0.75", *truth, "last.hdr"))
+        self.assertNotIn("from the cache", self.run_at("0.25", *truth, "start.hdr"))
+        pictures = {name: self.path(name).read_bytes() for name in ("run.hdr", "last.hdr", "start.hdr")}
+        self.assertEqual(pictures["run.hdr"], pictures["last.hdr"])
+        self.assertNotEqual(pictures["run.hdr"], pictures["start.hdr"])
+
+    def run_at(self, time, *words):
+        return self.render("out.png", "--time", time, *words, scene="moving.gltf").stdout
+
+    def test_frames_of_one_moment_accumulate(self):
+        self.render("one.hdr", "--time", "0.5", scene="moving.gltf")
+        self.render("many.hdr", "--time", "0.5", "--frames", "8", scene="moving.gltf")
+        self.run_at("0.5", "--reference", "64", "--reference-output", "truth.hdr")
+        errors = [self.figures("truth.hdr", name)["rmse"] for name in ("one.hdr", "many.hdr")]
+        self.assertLess(errors[1], errors[0])
+
+    def test_the_report_has_the_bounds_of_the_last_moment(self):
+        start = self.report()
+        later = self.report("--time", "0.25", "--fps", "4", "--frames", "3")
+        self.assertNotEqual(start["scene"]["bounds_max_m"], later["scene"]["bounds_max_m"])
+        self.assertEqual(self.report("--time", "0.75")["scene"], later["scene"])
+        self.assertGreater(later["bytes"]["motion"], 0)
+        self.assertEqual([p["n"] for p in later["passes"] if p["name"] == "deform"], [2])
+
+    def test_unknown_animations_are_refused_with_the_nearest(self):
+        self.refuse("render", "moving.gltf", "-o", "out.png", "--animation", "animation 7",
+                    says=["no animation 'animation 7'", "did you mean 'animation 0'", "0 to 1"])
