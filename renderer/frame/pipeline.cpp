@@ -60,13 +60,15 @@ Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame) {
 }
 
 Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
-    : shaders_(std::move(shaders)), source_(scene), scene_(scene), deform_(scene.motion) {}
+    : shaders_(std::move(shaders)), source_(scene), scene_(scene), deform_(scene.motion),
+      lights_(scene) {}
 
 void Pipeline::set_pose(const Pose& pose) {
     if (source_.motion.empty() || pose == pose_)
         return;
     if (!source_.motion.parts.empty())
         deform_.run(shaders_, timer_, scene_, source_.motion, pose);
+    lights_.upload(lights_at(source_, pose));
     pose_ = pose;
     mean_.reset();
 }
@@ -104,7 +106,7 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
     composed_ = settings.get(kView) != PictureKind::ambient_occlusion;
     if (composed_)
-        compose_.run(frame, view, gbuffer_, ambient_occlusion_.visibility());
+        compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
     mean_.add(frame, composed_ ? compose_.picture() : ambient_occlusion_.visibility());
     ++frame_;
     timer_.collect();

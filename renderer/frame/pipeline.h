@@ -50,6 +50,7 @@ private:
     std::string tracer_name_;
     std::unique_ptr<Tracer> tracer_;
     AmbientOcclusion ambient_occlusion_;
+    SceneLights lights_;
     Compose compose_;
     RunningMean mean_;
     std::optional<Settings> last_settings_;

@@ -13,7 +13,7 @@ ShaderVariant Compose::variant(const Settings& settings) {
 }
 
 void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
-                  const Texture& visibility) {
+                  const SceneLights& lights, const Texture& visibility) {
     const glm::ivec3 extent(view.size, 1);
     if (picture_.size() != extent)
         picture_ = Texture("picture", GL_TEXTURE_2D, GL_RGBA32F, extent);
@@ -24,6 +24,12 @@ void Compose::run(const FrameContext& frame, const View& view, const GBuffer& gb
     auto pass = frame.timer.compute("compose");
     program.use();
     view.set_uniforms(program);
+    const LightSource source = frame.settings.get(kLights);
+    const bool own_lights =
+        source == LightSource::scene || (source == LightSource::automatic && lights.count() > 0);
+    lights.bind(0);
+    program.set("light_count", own_lights ? lights.count() : 0);
+    program.set("sun_shines", own_lights ? 0 : 1);
     program.set("sun_strength", static_cast<float>(frame.settings.get(kSunStrength)));
     program.set("sky_strength", static_cast<float>(frame.settings.get(kSkyStrength)));
     program.set("sun_direction",

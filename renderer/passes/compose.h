@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/passes/gbuffer.h"
+#include "renderer/passes/scene_lights.h"
 
 namespace romascope {
 
@@ -17,9 +18,21 @@ inline const Knob<PictureKind> kView{
     PictureKind::ambient_occlusion,
     {"ambient_occlusion", "lit", "normal", "base_color"}};
 
+/// What lights the lit view.
+enum class LightSource { automatic, sun, scene };
+
+inline const Knob<LightSource> kLights{
+    {.key = "lit.lights",
+     .unit = "",
+     .help = "Whether the sun lights the lit view, or the scene's own lights; auto: its own, if it "
+             "has any. The sky shines in any case.",
+     .source = "a scene with lights is meant to be seen in them"},
+    LightSource::automatic,
+    {"auto", "sun", "scene"}};
 inline const Knob<double> kSunStrength{{.key = "lit.sun_strength",
                                         .unit = "",
-                                        .help = "Irradiance of the sun over pi in the lit view.",
+                                        .help = "Irradiance of the sun over pi in the lit view, or "
+                                                "that of the scene's lights where they shine.",
                                         .source = "chosen by eye on the hall"},
                                        1.1,
                                        0.0,
@@ -49,7 +62,7 @@ inline const Knob<double> kSunElevation{{.key = "lit.sun_elevation",
 
 /// Every knob of this folder.
 inline std::vector<const KnobBase*> compose_knobs() {
-    return {&kView, &kSunStrength, &kSkyStrength, &kSunAzimuth, &kSunElevation};
+    return {&kView, &kLights, &kSunStrength, &kSkyStrength, &kSunAzimuth, &kSunElevation};
 }
 
 /// Makes the picture of a frame from the G-buffer and one frame's visibility. Not needed for
@@ -57,7 +70,7 @@ inline std::vector<const KnobBase*> compose_knobs() {
 class Compose {
 public:
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
-             const Texture& visibility);
+             const SceneLights& lights, const Texture& visibility);
     const Texture& picture() const { return picture_; } ///< RGBA32F, linear
     StructureBytes bytes() const { return {"picture", picture_.bytes()}; }
 

@@ -11,9 +11,11 @@ namespace romascope::gpu {
 using glm::bitfieldReverse;
 using glm::ceil;
 using glm::clamp;
+using glm::dot;
 using glm::findLSB;
 using glm::findMSB;
 using glm::floor;
+using glm::inversesqrt;
 using glm::ivec2;
 using glm::ivec3;
 using glm::ivec4;

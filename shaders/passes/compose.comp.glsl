@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
-// The picture to look at: lit by one sun and a sky, ambient occlusion multiplied in, or one of the
-// intermediate results.
+// The picture to look at: lit by one sun, or by the scene's lights, and by a sky, ambient occlusion
+// multiplied in; or one of the intermediate results.
 //
 // In:   the G-buffer, base colour, emission, visibility (R16)
 // Out:  picture RGBA32F, linear
 // Host: FRAME_VIEW and FRAME_VIEW_*; sun_strength, sky_strength;
-//       sun_direction: unit, towards the sun
+//       sun_direction: unit, towards the sun; sun_shines 0 or 1; light_count; storage block 0:
+//       LightRecord, their colours exposed so that an irradiance of 1 is as strong as the sun's
 #include "shaders/common/surface.glsl"
+#include "shaders/passes/light.h"
 
 layout(local_size_x = 16, local_size_y = 16) in;
 layout(binding = 2) uniform sampler2D gbuffer_base_color;
@@ -16,6 +18,9 @@ layout(rgba32f, binding = 0) writeonly uniform image2D picture;
 uniform vec3 sun_direction;
 uniform float sun_strength;
 uniform float sky_strength;
+uniform int sun_shines;
+uniform int light_count;
+layout(std430, binding = 0) readonly buffer Lights { LightRecord lights[]; };
 
 const vec3 kSunColor = vec3(1.0, 0.93, 0.8);
 const vec3 kZenithColor = vec3(0.36, 0.52, 0.82);
@@ -39,8 +44,10 @@ vec3 lit(ivec2 pixel, Surface surface) {
         return sky_strength * sky(normalize(view_ray(pixel)));
     vec3 base = texelFetch(gbuffer_base_color, pixel, 0).rgb;
     vec3 emission = texelFetch(gbuffer_emission, pixel, 0).rgb;
-    vec3 sun = sun_strength * kSunColor * max(dot(surface.normal, sun_direction), 0.0);
-    vec3 light = sun + sky_strength * sky_light(surface.normal);
+    vec3 direct = sun_shines != 0 ? kSunColor * max(dot(surface.normal, sun_direction), 0.0) : vec3(0.0);
+    for (int i = 0; i < light_count; ++i)
+        direct += light_irradiance(lights[i], surface.position, surface.normal);
+    vec3 light = sun_strength * direct + sky_strength * sky_light(surface.normal);
     return base * light * texelFetch(visibility, pixel, 0).x + emission;
 }
 
