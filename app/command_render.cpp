@@ -126,7 +126,8 @@ Command add_render_command(CLI::App& app) {
         ->add_option("-o,--output", options->output,
                      "picture: .png (sRGB) or .hdr (linear floats); missing folders are made")
         ->type_name("FILE");
-    options->settings.add_to(*command, "width and height in pixels, like 1280x720");
+    options->settings.add_to(*command, "width and height in pixels, like 1280x720",
+                             "frames to accumulate");
     command->add_option("--report", options->report, "JSON of settings, times, bytes and errors")
         ->type_name("FILE");
     command->add_flag("--table", options->table, "print times, bytes and errors");

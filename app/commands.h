@@ -15,6 +15,7 @@ using Command = std::function<int()>; ///< returns the exit status
 
 Command add_render_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
+Command add_sheet_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 
 } // namespace romascope

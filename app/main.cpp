@@ -65,7 +65,8 @@ int run(int argc, char** argv) {
     app.set_version_flag("--version", fmt::format("romascope {} ({})", kVersion, kCommit));
     app.require_subcommand(0, 1); // none is refused below, after a misspelt one got its answer
     int status = 0;
-    for (const auto& add : {add_render_command, add_compare_command, add_info_command}) {
+    for (const auto& add :
+         {add_render_command, add_compare_command, add_sheet_command, add_info_command}) {
         Command command = add(app);
         app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }
@@ -77,7 +78,7 @@ int run(int argc, char** argv) {
         throw Error(usage_error(app, error), kBadInput);
     }
     if (app.get_subcommands().empty())
-        throw Error("a command is missing: render, compare or info (see 'romascope --help')",
+        throw Error("a command is missing: render, compare, sheet or info (see 'romascope --help')",
                     kBadInput);
     return status;
 }

@@ -30,6 +30,31 @@ fs::path asset_folder() {
     return {};
 }
 
+bool is_scene_file(const fs::path& path) {
+    std::string extension = path.extension().string();
+    std::ranges::transform(extension, extension.begin(), [](char c) {
+        return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    });
+    return extension == ".gltf" || extension == ".glb";
+}
+
+std::vector<fs::path> scenes_below(const fs::path& folder) {
+    std::vector<fs::path> files;
+    std::error_code code;
+    constexpr auto kSkip = fs::directory_options::skip_permission_denied;
+    for (fs::recursive_directory_iterator at(folder, kSkip, code), end; !code && at != end;
+         at.increment(code))
+        if (is_scene_file(at->path()) && at->is_regular_file(code))
+            files.push_back(at->path());
+    if (code)
+        throw Error(fmt::format("cannot read {}: {}", folder.string(), code.message()), kBadInput);
+    if (files.empty())
+        throw Error(fmt::format("there is no .gltf or .glb file in {}", folder.string()),
+                    kBadInput);
+    std::ranges::sort(files);
+    return files;
+}
+
 } // namespace
 
 std::vector<BuiltInScene> built_in_scenes() {
@@ -64,6 +89,19 @@ fs::path find_scene(const std::string& file_or_name) {
                             file_or_name, nearest_name(file_or_name, names),
                             fmt::join(names, ", ")),
                 kBadInput);
+}
+
+std::vector<fs::path> find_scenes(const std::vector<std::string>& words) {
+    std::vector<fs::path> files;
+    for (const std::string& word : words) {
+        std::error_code code;
+        if (!fs::is_directory(word, code))
+            files.push_back(find_scene(word));
+        else
+            for (fs::path& file : scenes_below(word))
+                files.push_back(std::move(file));
+    }
+    return files;
 }
 
 } // namespace romascope

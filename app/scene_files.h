@@ -24,4 +24,8 @@ inline constexpr const char* kDefaultScene = "hall";
 /// nearest name.
 std::filesystem::path find_scene(const std::string& file_or_name);
 
+/// The same for several words, of which one may be a folder: it stands for all .gltf and .glb files
+/// in it and below, sorted by path. Throws Error (kBadInput) for a folder without any, too.
+std::vector<std::filesystem::path> find_scenes(const std::vector<std::string>& words);
+
 } // namespace romascope

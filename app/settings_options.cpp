@@ -25,7 +25,8 @@ void set_size(Settings& settings, const std::string& text) {
 
 } // namespace
 
-void SettingsOptions::add_to(CLI::App& command, const std::string& size_help) {
+void SettingsOptions::add_to(CLI::App& command, const std::string& size_help,
+                             const std::string& frames_help) {
     command
         .add_option("--technique", technique,
                     "methods and values by name, see 'romascope info --techniques'")
@@ -44,7 +45,7 @@ void SettingsOptions::add_to(CLI::App& command, const std::string& size_help) {
                     "a camera of the scene, or eye/target/vertical fov like 1,2,3/0,0,0/60")
         ->type_name("CAMERA");
     command.add_option("--size", size, size_help)->type_name("WxH");
-    command.add_option("--frames", frames, "frames to accumulate")->type_name("N");
+    command.add_option("--frames", frames, frames_help)->type_name("N");
     command.add_option("--seed", seed, "of every random choice")->type_name("N");
     command.add_option("--time", time, "seconds into the animation, in the first frame")
         ->type_name("SECONDS");

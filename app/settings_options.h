@@ -20,8 +20,8 @@ struct SettingsOptions {
     std::vector<std::filesystem::path> configs;
     std::vector<std::string> assignments;
 
-    /// `size_help`: what has that size.
-    void add_to(CLI::App& command, const std::string& size_help);
+    /// `size_help`: what has that size; `frames_help`: what the frames are for.
+    void add_to(CLI::App& command, const std::string& size_help, const std::string& frames_help);
 
     /// `settings`, then the technique, then the files in their order, then the command line.
     /// Throws Error (kBadInput) for what is no setting or out of its range.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/fit.h"
 
+#include "renderer/scene/pose.h"
+
 #include <glm/gtc/constants.hpp>
 
 #include <algorithm>
@@ -19,6 +21,16 @@ constexpr double kLeastDistance = 0.01;
 /// Tangents of the angles from the middle of the picture to its margin.
 const double kSlopeY = (1.0 - 2.0 * kMargin) * std::tan(0.5 * kVerticalFov);
 const double kSlopeX = kSlopeY * kAspect;
+
+/// Adds where things are in the course of the first animation.
+void add_course(ViewFit& fit, const Motion& motion) {
+    constexpr int kTimes = 16;
+    const MovingBounds boxes(motion);
+    for (int i = 0; i < kTimes; ++i) {
+        const Pose pose = pose_at(motion, 0, motion.animations[0].duration * i / kTimes);
+        fit.add(boxes.moving_at(motion, pose, palette(motion, pose)));
+    }
+}
 
 } // namespace
 
@@ -73,6 +85,8 @@ Camera fit_camera(const Scene& scene) {
     ViewFit fit;
     for (const uint32_t index : scene.indices)
         fit.add(scene.positions[index]);
+    if (!scene.motion.parts.empty() && !scene.motion.animations.empty())
+        add_course(fit, scene.motion);
     return fit.camera();
 }
 

@@ -30,7 +30,9 @@ private:
     static constexpr double kNone = -std::numeric_limits<double>::infinity();
 };
 
-/// The camera of a scene that has none: sees every vertex of a triangle.
+/// The camera of a scene that has none: sees every vertex of a triangle and, of what moves, boxes
+/// around it at a few times of the first animation. Throws as
+/// MovingBounds::at does.
 Camera fit_camera(const Scene& scene);
 
 } // namespace romascope

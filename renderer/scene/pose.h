@@ -40,6 +40,9 @@ public:
     /// beyond kMaxCoordinate.
     Bounds at(const Motion& motion, const Pose& pose,
               const std::vector<glm::dmat4>& matrices) const;
+    /// The same of moving vertices alone: empty if none move.
+    Bounds moving_at(const Motion& motion, const Pose& pose,
+                     const std::vector<glm::dmat4>& matrices) const;
 
 private:
     struct Box {

@@ -119,7 +119,14 @@ MovingBounds::MovingBounds(const Motion& motion) {
 
 Bounds MovingBounds::at(const Motion& motion, const Pose& pose,
                         const std::vector<glm::dmat4>& matrices) const {
-    Bounds bounds = motion.still;
+    Bounds bounds = moving_at(motion, pose, matrices);
+    bounds.add(motion.still);
+    return bounds;
+}
+
+Bounds MovingBounds::moving_at(const Motion& motion, const Pose& pose,
+                               const std::vector<glm::dmat4>& matrices) const {
+    Bounds bounds;
     // A vertex is a mean, with weights that are not negative, of its images by its joints' matrices
     // (glTF 2.0, 3.7.3.3): a box around the images is one around the vertex.
     for (const Box& box : boxes_) {

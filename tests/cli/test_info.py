@@ -76,7 +76,8 @@ class Info(CliTest):
         self.refuse("info", "scene.glb", "--knobs", says="--knobs")
 
     def test_help(self):
-        for words in (("--help",), ("render", "--help"), ("compare", "-h"), ("info", "--help")):
+        for words in (("--help",), ("render", "--help"), ("compare", "-h"), ("sheet", "--help"),
+                      ("info", "--help")):
             result = self.succeed(*words)
             self.assertIn("Usage: romascope", result.stdout)
             self.assertEqual(result.stderr, "")

@@ -118,5 +118,39 @@ TEST(FitCamera, vertices_without_triangle_do_not_count) {
     EXPECT_LT(camera.forward.z, -0.7f); // seen from in front
 }
 
+/// A triangle that goes 10 m to the right in two seconds, and one that stands.
+Scene passing_triangle() {
+    const std::vector<glm::vec3> triangle = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    Scene scene;
+    scene.positions = {{0, 0, -1}, {1, 0, -1}, {0, 1, -1}};
+    scene.positions.insert(scene.positions.end(), triangle.begin(), triangle.end());
+    scene.indices = {0, 1, 2, 3, 4, 5};
+    Motion& motion = scene.motion;
+    motion.nodes.resize(1);
+    motion.animations = {
+        {"pass",
+         2.0,
+         {{0, MotionPath::translation, Interpolation::linear, {0.0f, 2.0f}, {0, 0, 0, 10, 0, 0}}}}};
+    motion.first_vertex = 3;
+    motion.matrix_count = 1;
+    motion.rest_positions = triangle;
+    motion.rest_normals.resize(3, glm::vec3(0, 0, 1));
+    motion.parts = {{.first_vertex = 3, .vertex_count = 3}};
+    return scene;
+}
+
+TEST(FitCamera, what_moves_stays_in_the_picture) {
+    const Scene scene = passing_triangle();
+    const Camera camera = fit_camera(scene);
+    std::vector<glm::vec3> all(scene.positions.begin(), scene.positions.begin() + 3);
+    for (int i = 0; i < 16; ++i)
+        for (const glm::vec3 corner : scene.motion.rest_positions)
+            all.push_back(corner + glm::vec3(10.0f * static_cast<float>(i) / 16.0f, 0, 0));
+    const glm::dvec2 farthest = farthest_out(camera, all);
+    EXPECT_LE(std::max(farthest.x, farthest.y), kInside + 1e-6);
+    // Boxes are larger than what is in them, and have room for rounding.
+    EXPECT_GE(std::max(farthest.x, farthest.y), 0.85);
+}
+
 } // namespace
 } // namespace romascope
