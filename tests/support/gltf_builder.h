@@ -13,7 +13,8 @@
 
 namespace romascope {
 
-/// Puts a .glb together: the JSON is open to any change, the numbers go into one buffer.
+/// Puts a .glb together: the JSON is open to any change, the numbers go into one buffer, which
+/// comes before those in the JSON.
 struct GltfBuilder {
     nlohmann::json root = {{"asset", {{"version", "2.0"}}}};
     std::string bytes;
@@ -66,8 +67,13 @@ struct GltfBuilder {
         nlohmann::json finished = root;
         std::string binary = bytes;
         binary.resize((binary.size() + 3) / 4 * 4, '\0');
-        if (!binary.empty())
-            finished["buffers"] = {{{"byteLength", binary.size()}}};
+        if (!binary.empty()) {
+            auto& buffers = finished["buffers"];
+            if (buffers.is_null())
+                buffers = nlohmann::json::array();
+            const nlohmann::json first = {{"byteLength", binary.size()}};
+            buffers.insert(buffers.begin(), first);
+        }
         return romascope::glb(finished.dump(), binary);
     }
 };
