@@ -60,7 +60,8 @@ void keep_used(Piece& piece) {
     }
     piece.sources = piece.corners;
     std::ranges::sort(piece.sources);
-    piece.sources.erase(std::ranges::unique(piece.sources).begin(), piece.sources.end());
+    piece.sources.erase(std::unique(piece.sources.begin(), piece.sources.end()),
+                        piece.sources.end());
     for (uint32_t& corner : piece.corners)
         corner = static_cast<uint32_t>(std::ranges::lower_bound(piece.sources, corner) -
                                        piece.sources.begin());

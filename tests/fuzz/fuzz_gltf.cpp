@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: MIT
+// Any bytes are a scene that keeps its promises, or are refused in one line within the memory that
+// was given: anything else ends the program. Run by libFuzzer, and by replay.cpp on single files.
+#include "renderer/base/error.h"
+#include "renderer/scene/gltf/import.h"
+#include "tests/fuzz/scene_check.h"
+
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace {
+
+using namespace romascope;
+
+/// Small, so that what would need more is refused quickly and often.
+constexpr size_t kMemory = size_t{32} << 20;
+
+[[noreturn]] void fail(const std::string& what) {
+    std::fprintf(stderr, "fuzz_gltf: %s\n", what.c_str());
+    std::abort();
+}
+
+/// In a folder that does not exist: nothing beside the input can be read.
+const std::filesystem::path kPath = "/nonexistent/romascope-fuzz/input.gltf";
+
+void check_refusal(const Error& error) {
+    const std::string_view line = error.what();
+    if (error.exit_status() != kBadInput)
+        fail("refused as if the program were at fault: " + std::string(line));
+    if (!line.starts_with(kPath.string() + ": ") || line.size() < kPath.string().size() + 6)
+        fail("a refusal that does not name file and reason: " + std::string(line));
+    for (const char c : line)
+        if (static_cast<unsigned char>(c) < 32)
+            fail("a refusal of more than one line: " + std::string(line));
+}
+
+} // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    try {
+        const Scene scene =
+            import_gltf(std::string(reinterpret_cast<const char*>(data), size), kPath, kMemory);
+        if (const std::string promise = fuzz::broken_promise(scene); !promise.empty())
+            fail("a scene breaks a promise: " + promise);
+    } catch (const Error& error) {
+        check_refusal(error);
+    }
+    return 0;
+}
