@@ -7,6 +7,8 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstdlib>
+#include <memory>
 
 namespace romascope {
 namespace {
@@ -60,8 +62,14 @@ void delete_program(GLuint id) { glDeleteProgram(id); }
 void delete_query(GLuint id) { glDeleteQueries(1, &id); }
 
 Buffer::Buffer(const std::string& label, size_t bytes) {
-    create(label, bytes, nullptr);
-    glClearNamedBufferData(id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
+    // Not by glClearNamedBufferData: NVIDIA's driver (580.159) lets an upload of more than 64 KiB
+    // overtake it, and then clears what was uploaded. Pages of calloc that are only read take no
+    // memory.
+    const std::unique_ptr<void, decltype(&std::free)> zeros(
+        std::calloc(std::max<size_t>(bytes, 4), 1), std::free);
+    if (!zeros)
+        throw Error(fmt::format("not enough memory for '{}'", label));
+    create(label, bytes, zeros.get());
 }
 
 Buffer::Buffer(const std::string& label, std::span<const std::byte> data) {

@@ -25,6 +25,21 @@ TEST_F(ObjectsTest, NewBufferIsZero) {
     EXPECT_EQ(buffer.download<uint32_t>(), std::vector<uint32_t>(16, 0u));
 }
 
+TEST_F(ObjectsTest, ALargeNewBufferKeepsWhatIsUploadedAtOnce) {
+    // Large, as drivers take other ways for that.
+    const std::vector<uint32_t> ones(1 << 18, 1u);
+    for (int trial = 0; trial < 10; ++trial) {
+        Buffer buffer("test", 3 * ones.size() * 4);
+        buffer.upload(std::as_bytes(std::span(ones)), 4 * ones.size());
+        const std::vector<uint32_t> found = buffer.download<uint32_t>();
+        EXPECT_EQ(std::count(found.begin(), found.end(), 1u), std::ssize(ones));
+        EXPECT_EQ(
+            std::count(found.begin() + std::ssize(ones), found.begin() + 2 * std::ssize(ones), 1u),
+            std::ssize(ones));
+        EXPECT_EQ(std::count(found.begin(), found.end(), 0u), 2 * std::ssize(ones));
+    }
+}
+
 TEST_F(ObjectsTest, MovedFromOwnersAreEmpty) {
     Buffer a("test", 16);
     const GLuint id = a.id();
