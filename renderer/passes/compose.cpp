@@ -8,7 +8,7 @@ namespace romascope {
 ShaderVariant Compose::variant(const Settings& settings) {
     return {"compose",
             {{GL_COMPUTE_SHADER, "passes/compose.comp.glsl"}},
-            shader_defines(settings, {&kView}),
+            shader_defines(settings, {&kView, &kHighlights}),
             {}};
 }
 

@@ -29,6 +29,17 @@ inline const Knob<LightSource> kLights{
      .source = "a scene with lights is meant to be seen in them"},
     LightSource::automatic,
     {"auto", "sun", "scene"}};
+/// What becomes of radiance above what a picture shows.
+enum class Highlights { soft, clip };
+
+inline const Knob<Highlights> kHighlights{
+    {.key = "lit.highlights",
+     .unit = "",
+     .help = "Whether the lit view bends radiance above 0.6 so that it stays below 1, or leaves it "
+             "as it is: a .png then clips at 1, an .hdr does not.",
+     .source = "bright walls keep their form"},
+    Highlights::soft,
+    {"soft", "clip"}};
 inline const Knob<double> kSunStrength{{.key = "lit.sun_strength",
                                         .unit = "",
                                         .help = "Irradiance of the sun over pi in the lit view, or "
@@ -62,7 +73,8 @@ inline const Knob<double> kSunElevation{{.key = "lit.sun_elevation",
 
 /// Every knob of this folder.
 inline std::vector<const KnobBase*> compose_knobs() {
-    return {&kView, &kLights, &kSunStrength, &kSkyStrength, &kSunAzimuth, &kSunElevation};
+    return {&kView,        &kLights,     &kHighlights,  &kSunStrength,
+            &kSkyStrength, &kSunAzimuth, &kSunElevation};
 }
 
 /// Makes the picture of a frame from the G-buffer and one frame's visibility. Not needed for

@@ -4,7 +4,7 @@
 //
 // In:   the G-buffer, base colour, emission, visibility (R16)
 // Out:  picture RGBA32F, linear
-// Host: FRAME_VIEW and FRAME_VIEW_*; sun_strength, sky_strength;
+// Host: FRAME_VIEW and FRAME_VIEW_*; LIT_HIGHLIGHTS and LIT_HIGHLIGHTS_*; sun_strength, sky_strength;
 //       sun_direction: unit, towards the sun; sun_shines 0 or 1; light_count; storage block 0:
 //       LightRecord, their colours exposed so that an irradiance of 1 is as strong as the sun's
 #include "shaders/common/surface.glsl"
@@ -51,6 +51,13 @@ vec3 lit(ivec2 pixel, Surface surface) {
     return base * light * texelFetch(visibility, pixel, 0).x + emission;
 }
 
+/// Identity up to 0.6, from there on bent, with the same slope, towards 1.
+vec3 with_soft_highlights(vec3 color) {
+    const float knee = 0.6;
+    vec3 bent = 1.0 - (1.0 - knee) * exp((knee - color) / (1.0 - knee));
+    return mix(color, bent, greaterThan(color, vec3(knee)));
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, picture_size)))
@@ -58,6 +65,9 @@ void main() {
     Surface surface = surface_at(pixel);
 #if FRAME_VIEW == FRAME_VIEW_LIT
     vec3 color = lit(pixel, surface);
+#if LIT_HIGHLIGHTS == LIT_HIGHLIGHTS_SOFT
+    color = with_soft_highlights(color);
+#endif
 #elif FRAME_VIEW == FRAME_VIEW_NORMAL
     vec3 color = surface.background ? vec3(0.0) : surface.normal * 0.5 + 0.5;
 #elif FRAME_VIEW == FRAME_VIEW_BASE_COLOR

@@ -21,6 +21,7 @@ protected:
         settings_.set(kOccupancyResolution, 32);
         settings_.set(kRomaAngularResolution, 2);
         settings_.set(kView, PictureKind::lit);
+        settings_.set(kHighlights, Highlights::clip); // the formulas are of radiance
         settings_.set(kSkyStrength, 0.0);
         settings_.set(kSunStrength, 1.0);
         scene_ = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 3.0f));
