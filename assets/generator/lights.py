@@ -4,7 +4,6 @@
 https://github.com/KhronosGroup/glTF/tree/main/extensions/2.0/Khronos/KHR_lights_punctual
 """
 
-from . import vector as v
 from .gltf import looking
 
 NAME = "KHR_lights_punctual"
@@ -13,7 +12,8 @@ NAME = "KHR_lights_punctual"
 def add_sun(doc, name, color, lux, direction):
     """`direction`: the way the light travels, not straight up or down."""
     light = {"type": "directional", "name": name, "color": list(color), "intensity": lux}
-    return _add_node(doc, light, rotation=looking(direction))
+    index = _add(doc, light)
+    doc.add_node(name, extensions={NAME: {"light": index}}, rotation=looking(direction))
 
 
 def add_lamp(doc, name, color, candela, reach, places):
@@ -24,20 +24,6 @@ def add_lamp(doc, name, color, candela, reach, places):
     index = _add(doc, light)
     for place in places:
         doc.add_node(name, at=place, extensions={NAME: {"light": index}})
-
-
-def add_spot(doc, name, color, candela, reach, at, target, inner, outer):
-    """`inner`, `outer`: radians from the axis: full light within, none outside."""
-    light = {
-        "type": "spot", "name": name, "color": list(color), "intensity": candela, "range": reach,
-        "spot": {"innerConeAngle": inner, "outerConeAngle": outer},
-    }
-    return _add_node(doc, light, at=at, rotation=looking(v.sub(target, at)))
-
-
-def _add_node(doc, light, **more):
-    index = _add(doc, light)
-    return doc.add_node(light["name"], extensions={NAME: {"light": index}}, **more)
 
 
 def _add(doc, light):

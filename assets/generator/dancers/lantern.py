@@ -7,7 +7,7 @@ Its mesh hangs from (0, 0, 0), the top of the bell, downwards.
 import math
 
 from .. import motion, shapes
-from ..mesh import Mesh, Vertices
+from ..mesh import Vertices
 
 RADIUS, DOWN = 0.62, 0.66  # of the bell
 LOBES = 8

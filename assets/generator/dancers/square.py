@@ -84,7 +84,7 @@ def _ring_wall(profile, start, end, steps):
 
 
 def _colonnade(stage):
-    """Nine columns on a low wall, a curved beam on them, a second wall behind with niches' panels."""
+    """Nine columns on a low wall, a curved beam on them, screens between some of them."""
     low, high = COLUMNS[0] - 5.0, COLUMNS[-1] + 5.0
     profile = [(0.0, 0.42), (0.20, 0.42), (0.20, 0.50), *half_round(0.17, 0.50, 0.09, 4), (0.165,
         0.62)]

@@ -34,6 +34,28 @@ LEAVES = {
     "fern": ("frond", (0.90, 1.0, 0.75)),
 }
 
+SHRUBS = (  # leaves, x, z, width, height
+    ("laurel leaves", -4.45, -2.9, 0.6, 1.1),
+    ("copper leaves", -3.2, -3.25, 0.45, 0.75),
+    ("laurel leaves", -0.75, -3.2, 0.5, 0.85),
+    ("copper leaves", 3.45, -3.15, 0.5, 0.8),
+    ("laurel leaves", 4.6, -3.0, 0.5, 1.2),
+    ("laurel leaves", 4.7, -0.6, 0.4, 0.6),
+    ("laurel leaves", 4.7, 0.3, 0.4, 0.6),
+    ("laurel leaves", 4.7, 1.2, 0.4, 0.6),
+    ("laurel leaves", 4.7, 2.1, 0.4, 0.6),
+    ("copper leaves", -4.6, -1.1, 0.5, 0.8),
+    ("laurel leaves", -4.75, -0.2, 0.4, 1.0),
+    ("laurel leaves", -4.75, 0.7, 0.4, 0.95),
+    ("laurel leaves", -4.75, 1.6, 0.4, 1.05),
+    ("copper leaves", -4.7, 2.5, 0.5, 0.8),
+    ("laurel leaves", -4.7, 3.4, 0.4, 0.9),
+)
+IVY = (  # x, up to which height
+    (-4.45, 1.5), (-3.75, 0.9), (-2.95, 1.7), (-2.3, 2.3),
+    (-1.5, 0.7), (-0.25, 2.2), (0.35, 1.7), (2.85, 0.9), (4.55, 2.0),
+)
+
 
 def build():
     stage = Stage("foliage", MATERIALS)
@@ -64,8 +86,8 @@ def _put(stage, name, mesh, x, y, z, turn, size=1.0):
 def _trees(stage):
     chance = random.Random(21)
     for name, at, tree, bark, leaves, count, size in (
-        ("apple tree", (-2.35, 0.0, -0.75), plants.Tree(5, 4.3, 1.75, 0.155), "bark", "apple leaves",
-            30, 1.0),
+        ("apple tree", (-2.35, 0.0, -0.75), plants.Tree(5, 4.3, 1.75, 0.155), "bark",
+            "apple leaves", 30, 1.0),
         ("birch", (4.0, 0.0, -1.9), plants.Tree(9, 3.9, 1.15, 0.085), "birch bark", "birch leaves",
             24, 0.72),
     ):
@@ -81,14 +103,7 @@ def _shrubs(stage):
     chance = random.Random(22)
     meshes = {name: stage.mesh(name, [(name, plants.clump(seed, 44, 0.46, 0.30, -0.2))]) for name,
         seed in (("laurel leaves", 41), ("copper leaves", 42))}
-    for name, x, z, wide, tall in (("laurel leaves", -4.45, -2.9, 0.6, 1.1), ("copper leaves",
-            -3.2, -3.25, 0.45, 0.75), ("laurel leaves", -0.75, -3.2, 0.5, 0.85), ("copper leaves",
-            3.45, -3.15, 0.5, 0.8), ("laurel leaves", 4.6, -3.0, 0.5, 1.2), ("laurel leaves", 4.7,
-            -0.6, 0.4, 0.6), ("laurel leaves", 4.7, 0.3, 0.4, 0.6), ("laurel leaves", 4.7, 1.2,
-            0.4, 0.6), ("laurel leaves", 4.7, 2.1, 0.4, 0.6), ("copper leaves", -4.6, -1.1, 0.5,
-            0.8), ("laurel leaves", -4.75, -0.2, 0.4, 1.0), ("laurel leaves", -4.75, 0.7, 0.4, 0.95),
-            ("laurel leaves", -4.75, 1.6, 0.4, 1.05), ("copper leaves", -4.7, 2.5, 0.5, 0.8),
-            ("laurel leaves", -4.7, 3.4, 0.4, 0.9)):
+    for name, x, z, wide, tall in SHRUBS:
         for k in range(5):
             y = 0.10 + (tall - 0.10) * k / 4.0
             r = wide * (1.0 - 0.55 * k / 4.0)
@@ -96,8 +111,7 @@ def _shrubs(stage):
                 * (chance.random() - 0.5), 360.0 * chance.random(), 0.8 + 0.35 * chance.random())
     ivy = [stage.mesh("ivy", [("ivy", plants.ivy_patch(seed))]) for seed in (51, 52)]
     spots = []
-    for x, top in ((-4.45, 1.5), (-3.75, 0.9), (-2.95, 1.7), (-2.3, 2.3), (-1.5, 0.7), (-0.25, 2.2), (0.35, 1.7),
-            (2.85, 0.9), (4.55, 2.0)):
+    for x, top in IVY:
         y = 0.35
         while y < top:
             spots.append((x + 0.3 * (chance.random() - 0.5), y))

@@ -5,7 +5,7 @@ import math
 
 from .. import shapes
 from ..hall.parts import half_round
-from ..polygon import arched, rectangle
+from ..polygon import arched
 from ..thin.furniture import slatted_bench
 
 BRICK = (0.24, 0.075)  # with its joint; two courses make a panel's row
@@ -68,7 +68,7 @@ def _flag(i):
         * math.sin(4.0 * i), 0.0, z)
 
 
-def _panel(half=False):
+def _panel():
     """Bricks of a panel in running bond, standing 22 mm before the plane z = 0."""
     bricks, (w, h) = [], BRICK
     for row in range(8):
@@ -128,7 +128,8 @@ def _wall(stage):
         door.append(shapes.prism([(edges[0], 0.03), (edges[3], 0.03)] + head[::-1], WALL - 0.20,
             WALL - 0.155, crease=0.0))
     for y in (0.40, 1.45):
-        iron.append(shapes.box((GATE - 0.57, y, WALL - 0.17), (GATE + 0.40, y + 0.05, WALL - 0.145)))
+        iron.append(shapes.box((GATE - 0.57, y, WALL - 0.17), (GATE + 0.40, y + 0.05, WALL
+            - 0.145)))
     iron.append(shapes.hoop([(0.05, -0.006), (0.062, -0.006), (0.062, 0.006), (0.05, 0.006)], 20,
         30.0).along_y().facing_outward().moved(GATE + 0.42, 1.0, WALL - 0.14))
     stage.add("garden door", [("green paint", door), ("iron", iron), ("stone", [shapes.box((GATE

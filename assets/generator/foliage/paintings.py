@@ -63,7 +63,8 @@ def twig():
 def ivy():
     """Lobed leaves in rows on a winding stem."""
     painting, chance = Painting(SIZE), random.Random(2)
-    spine = [(0.5 + 0.13 * math.sin(5.0 * t), 0.98 - 0.9 * t) for t in (i / 10.0 for i in range(11))]
+    spine = [(0.5 + 0.13 * math.sin(5.0 * t), 0.98 - 0.9 * t) for t in (i / 10.0 for i in
+        range(11))]
     _stem(painting, spine, 0.009, 0.10)
     for i, (x, y) in enumerate(spine):
         side = 1 if i % 2 else -1

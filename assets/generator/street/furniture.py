@@ -64,8 +64,8 @@ def lamp():
 
 
 def bollard():
-    profile = [(0.0, -0.05), (0.11, -0.05), (0.11, 0.10), (0.085, 0.14), (0.07, 0.72), (0.095, 0.76),
-        (0.095, 0.80), (0.06, 0.84), (0.075, 0.90), (0.05, 0.97), (0.0, 0.99)]
+    profile = [(0.0, -0.05), (0.11, -0.05), (0.11, 0.10), (0.085, 0.14), (0.07, 0.72),
+        (0.095, 0.76), (0.095, 0.80), (0.06, 0.84), (0.075, 0.90), (0.05, 0.97), (0.0, 0.99)]
     return [("iron", [shapes.lathe(profile, 12, 40.0)])]
 
 
@@ -97,7 +97,8 @@ def _shrub(radius, seed, squash=1.0, segments=16, rows=9):
         ring = []
         for i in range(segments):
             a = 2.0 * math.pi * i / segments
-            k = sum(math.sin(round(f) * a + q + (n + 2) * b) for n, (f, q) in enumerate(waves)) / 9.0
+            k = sum(math.sin(round(f) * a + q + (n + 2) * b) for n, (f, q) in enumerate(waves))
+            k /= len(waves)
             r = radius * (1.0 + 0.22 * k) * (math.cos(b) if 0 < j < rows else 0.0)
             ring.append((r * math.cos(a), squash * radius * (1.0 + 0.15 * k * math.cos(b))
                 * math.sin(b), -r * math.sin(a)))

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Washing on a line, and a sail over a corner of the garden: cloth without thickness."""
+"""Washing on a line and a curtain in the door: cloth without thickness."""
 
 import math
 
@@ -20,12 +20,12 @@ def _washing(stage):
         steel.append(shapes.cord([(x, -0.02, z), (x, height + 0.05, z)], [0.022, 0.018], 10))
         steel.append(shapes.rod((x - 0.42, height, z), (x + 0.42, height, z), 0.013, 8))
 
-    def line(offset, u):
+    def line(u):
         """Height of the line, u in [0, 1] from end to end."""
         return height - 0.10 * 4.0 * u * (1.0 - u) - 0.004
 
     for offset in (-0.34, 0.34):
-        path = [(x + offset, line(offset, i / 16), ends[0] + (ends[1] - ends[0]) * i / 16)
+        path = [(x + offset, line(i / 16), ends[0] + (ends[1] - ends[0]) * i / 16)
             for i in range(17)]
         steel.append(shapes.cord(path, [0.0025] * 17, 5))
     washing = (
@@ -43,7 +43,7 @@ def _washing(stage):
             blown = wind * t * t * (1.0 + 0.35 * math.sin(9.0 * s + 4.0 * u))
             ripple = 0.025 * t * math.sin(2.0 * math.pi * (2.5 * s + 0.4 * t + 3.0 * low))
             lifted = 0.30 * wind * t * t + 0.02 * math.sin(7.0 * s + 5.0 * high) * t
-            return (x + offset + blown + ripple, line(offset, u) + 0.004 - drop * t + lifted,
+            return (x + offset + blown + ripple, line(u) + 0.004 - drop * t + lifted,
                 z + 0.02 * t * math.sin(5.0 * s))
 
         stage.add("washing", [(cloth, shapes.sheet(point, 20, 18))])

@@ -4,7 +4,6 @@
 import math
 
 from .. import shapes
-from ..polygon import rectangle
 from . import plan as p
 
 GATE = (-0.42, 0.92)  # x
@@ -21,7 +20,8 @@ def add_to(stage):
     posts = [(x, 0.0, p.FENCE - 0.045) for x in (GATE[0] - 0.03, GATE[1] + 0.03, EDGE - 0.02)]
     posts += [place[:2] + (p.FENCE - 0.045,) for place in west + east[1:]]
     stage.add("post", [("white paint", _post())], posts)
-    stage.add("gate", _gate(GATE[1] - GATE[0] - 0.05), [(GATE[0] + 0.01, 0.0, p.FENCE - 0.03, 62.0)])
+    gate = _gate(GATE[1] - GATE[0] - 0.05)
+    stage.add("gate", gate, [(GATE[0] + 0.01, 0.0, p.FENCE - 0.03, 62.0)])
 
     length = (p.FENCE - 0.22 - p.BACK - 0.08) / 4.0
     wire = [(EDGE, 0.0, p.FENCE - 0.22 - length * k, 90.0) for k in range(4)]
