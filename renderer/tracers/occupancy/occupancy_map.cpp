@@ -58,7 +58,8 @@ void OccupancyMap::build(const FrameContext& frame) {
     glDisable(GL_DEPTH_TEST);
     glDisable(GL_CULL_FACE);
     texture_.bind_image(0, GL_READ_WRITE);
-    scene.surfaces().bind();
+    if (any_masked)
+        scene.surfaces().bind();
     const bool all = frame.settings.get(kOccupancyAxes) == OccupancyAxes::all;
     for (const TriangleGroup& group : scene.groups()) {
         const Program& program = group.masked ? masked : plain;
