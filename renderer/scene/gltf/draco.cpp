@@ -20,8 +20,9 @@ namespace {
 
 constexpr const char* kExtension = "KHR_draco_mesh_compression";
 
-/// Bytes that the library takes for its own tables, measured and rounded up.
-constexpr size_t kPerFace = 256, kPerPoint = 128;
+/// Bytes that the library takes for its own tables, rounded up from what was measured: 128 MB in
+/// all for 980,000 triangles, 491,401 vertices and three attributes encoded by edgebreaker.
+constexpr size_t kPerFace = 128, kPerPoint = 64, kPerFaceOfAttribute = 32;
 
 /// What a primitive asks for. Equal ones are decoded once.
 struct Request {
@@ -116,7 +117,8 @@ size_t working_memory(const DracoHeader& header, const Request& request,
         points = std::min(points, like.count);
         per_point += 3 * element_layout(like.type, like.componentType).size();
     }
-    return kPerFace * header.faces + per_point * points;
+    const size_t attributes = std::max(request.attributes.size(), header.seamed);
+    return (kPerFace + kPerFaceOfAttribute * attributes) * header.faces + per_point * points;
 }
 
 std::unique_ptr<draco::Mesh> decode_bytes(std::span<const std::byte> bytes,

@@ -110,7 +110,7 @@ DracoHeader read_draco_header(std::span<const std::byte> bytes, const std::strin
         count(); // vertices that the decoder adds
     header.vertices = count();
     header.faces = count();
-    reader.number<uint8_t>(); // attributes with seams
+    header.seamed = reader.number<uint8_t>();
     const size_t symbols = count();
     const size_t splits = count();
     if (symbols > header.faces || splits > symbols || header.vertices > 3 * header.faces)

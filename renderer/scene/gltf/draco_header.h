@@ -11,6 +11,7 @@ namespace romascope::gltf {
 struct DracoHeader {
     size_t faces = 0;
     size_t vertices = 0; ///< at least that many points; all of them if encoded sequentially
+    size_t seamed = 0;   ///< attributes with a connectivity of their own
 };
 
 /// Reads as much of the bitstream as tells how much memory decoding it will need: the library
