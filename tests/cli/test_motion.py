@@ -59,6 +59,30 @@ class Moving(CliTest):
         self.assertGreater(later["bytes"]["motion"], 0)
         self.assertEqual([p["n"] for p in later["passes"] if p["name"] == "deform"], [2])
 
+    def test_what_moves_is_told(self):
+        scene = self.report()["scene"]
+        self.assertEqual([animation["name"] for animation in scene["animations"]],
+                         ["animation 0", "animation 1"])
+        self.assertGreater(scene["moving_vertices"], 0)
+        told = json.loads(self.succeed("info", "moving.gltf", "--json").stdout)
+        self.assertEqual(told["scene"], scene)
+        self.assertEqual(sum(part["vertices"] for part in told["moving_parts"]),
+                         scene["moving_vertices"])
+        text = self.succeed("info", "moving.gltf").stdout
+        for animation in scene["animations"]:
+            self.assertIn(f"{animation['name']}, {animation['seconds']:.4g} s", text)
+        time = self.report("--animation", "1", "--time", "0.5", "--fps", "8", "--frames", "3")["time"]
+        self.assertEqual(time, {"animation": "animation 1", "first_s": 0.5, "last_s": 0.75})
+
+    def test_sheet_shows_a_quarter_of_the_animation(self):
+        seconds = self.report()["scene"]["animations"][0]["seconds"]
+        words = ("sheet", "moving.gltf", "--size", "64x48", "--frames", "1", "--reference", "1", "-o")
+        self.assertIn(f", {seconds / 4:.4g} s: MAE", self.succeed(*words, "a.png").stdout)
+        self.succeed(*words, "b.png", "--time", repr(seconds / 4))
+        self.assertEqual(self.path("a.png").read_bytes(), self.path("b.png").read_bytes())
+        self.succeed(*words, "c.png", "--time", "0.01")
+        self.assertNotEqual(self.path("a.png").read_bytes(), self.path("c.png").read_bytes())
+
     def test_unknown_animations_are_refused_with_the_nearest(self):
         self.refuse("render", "moving.gltf", "-o", "out.png", "--animation", "animation 7",
                     says=["no animation 'animation 7'", "did you mean 'animation 0'", "0 to 1"])

@@ -5,6 +5,7 @@ import json
 import math
 import re
 
+import glb
 from helper import CliTest, SOURCE
 
 NUMBER = (int, float)
@@ -127,6 +128,19 @@ class Report(CliTest):
             for a, b in zip(measured, known):
                 self.assertAlmostEqual(a, b, places=4)
         self.assertEqual(camera["name"], "above")
+
+    def test_notices_are_told_once_each_and_are_in_the_report(self):
+        document, buffer = glb.box_on_floor()
+        document["materials"][1]["alphaMode"] = "BLEND"
+        glb.write_glb(self.path("glass.glb"), document, buffer)
+        words = ("glass.glb", "--size", "8x8", "--report", "out.json")
+        result = self.succeed("render", *words)
+        notices = json.loads(self.path("out.json").read_text())["scene"]["notices"]
+        self.assertEqual(len(notices), 1)
+        self.assertIn("materials[1]", notices[0])
+        self.assertEqual(result.stderr, f"notice: glass.glb: {notices[0]}\n")
+        self.assertRegex(self.succeed("info", "glass.glb").stdout, r"notices +materials\[1\]")
+        self.assertEqual(self.succeed("render", *words, "--print-config").stderr, "")
 
     def test_passes(self):
         for frames, timed in ((1, 1), (2, 1), (5, 4)):
