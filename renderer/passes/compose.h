@@ -35,7 +35,7 @@ enum class Highlights { soft, clip };
 inline const Knob<Highlights> kHighlights{
     {.key = "lit.highlights",
      .unit = "",
-     .help = "Whether the lit view bends radiance above 0.6 so that it stays below 1, or leaves it "
+     .help = "Whether the lit view bends radiance above 0.3 so that it stays below 1, or leaves it "
              "as it is: a .png then clips at 1, an .hdr does not.",
      .source = "bright walls keep their form"},
     Highlights::soft,

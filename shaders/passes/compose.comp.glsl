@@ -51,9 +51,9 @@ vec3 lit(ivec2 pixel, Surface surface) {
     return base * light * texelFetch(visibility, pixel, 0).x + emission;
 }
 
-/// Identity up to 0.6, from there on bent, with the same slope, towards 1.
+/// Identity up to 0.3, from there on bent, with the same slope, towards 1.
 vec3 with_soft_highlights(vec3 color) {
-    const float knee = 0.6;
+    const float knee = 0.3;
     vec3 bent = 1.0 - (1.0 - knee) * exp((knee - color) / (1.0 - knee));
     return mix(color, bent, greaterThan(color, vec3(knee)));
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Prints where the triangles of a glTF file stand: for each animation and time a line "pose ANIMATION
-// SECONDS TRIANGLES", then a line for each triangle: nine coordinates of its corners, nine of their
-// normals (0 0 0: the triangle's own).
+// Prints where the triangles of a glTF file stand: for each animation and time a line "pose
+// ANIMATION SECONDS TRIANGLES", then a line for each triangle: nine coordinates of its corners,
+// nine of their normals (0 0 0: the triangle's own).
 //
 // dump_pose FILE ANIMATION SECONDS [ANIMATION SECONDS]...; animation: a number or "none"
 #include "renderer/base/error.h"
