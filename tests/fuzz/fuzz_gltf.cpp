@@ -3,8 +3,10 @@
 // was given: anything else ends the program. Run by libFuzzer, and by replay.cpp on single files.
 #include "renderer/base/error.h"
 #include "renderer/scene/gltf/import.h"
+#include "tests/fuzz/drawn_inputs.h"
 #include "tests/fuzz/scene_check.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdio>
 #include <cstdlib>
@@ -19,6 +21,14 @@ using namespace romascope;
 /// Small, so that what would need more is refused quickly and often.
 constexpr size_t kMemory = size_t{32} << 20;
 
+/// How many inputs came through; said at the end.
+struct Tally {
+    size_t drawn = 0, moving = 0, refused = 0;
+    ~Tally() {
+        std::fprintf(stderr, "drawn: %zu\nmoving: %zu\nrefused: %zu\n", drawn, moving, refused);
+    }
+} tally;
+
 [[noreturn]] void fail(const std::string& what) {
     std::fprintf(stderr, "fuzz_gltf: %s\n", what.c_str());
     std::abort();
@@ -26,6 +36,23 @@ constexpr size_t kMemory = size_t{32} << 20;
 
 /// In a folder that does not exist: nothing beside the input can be read.
 const std::filesystem::path kPath = "/nonexistent/romascope-fuzz/input.gltf";
+
+/// Scenes alike in what they are made of, whatever the numbers are.
+uint64_t kind_of(const Scene& scene) {
+    const Motion& motion = scene.motion;
+    uint64_t kind = 0;
+    for (const size_t part :
+         {scene.materials.size(), scene.textures.size(), scene.lights.size(), scene.cameras.size(),
+          scene.colors.size(), scene.notices.size(), motion.nodes.size(), motion.parts.size(),
+          motion.skins.size(), motion.animations.size(), motion.weights.size(),
+          motion.influences.size(), motion.lights.size()})
+        kind = kind * 5 + std::min<size_t>(part, 4);
+    for (const Animation& animation : motion.animations)
+        for (const MotionChannel& channel : animation.channels)
+            kind = kind * 31 + 4 * static_cast<uint64_t>(channel.path) +
+                   static_cast<uint64_t>(channel.interpolation);
+    return kind;
+}
 
 void check_refusal(const Error& error) {
     const std::string_view line = error.what();
@@ -46,8 +73,12 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
             import_gltf(std::string(reinterpret_cast<const char*>(data), size), kPath, kMemory);
         if (const std::string promise = fuzz::broken_promise(scene); !promise.empty())
             fail("a scene breaks a promise: " + promise);
+        ++tally.drawn;
+        fuzz::drawn_inputs().add(kind_of(scene), {reinterpret_cast<const char*>(data), size});
+        tally.moving += !scene.motion.parts.empty();
     } catch (const Error& error) {
         check_refusal(error);
+        ++tally.refused;
     }
     return 0;
 }

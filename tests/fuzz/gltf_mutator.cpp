@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 // libFuzzer's mutations of glTF files: most keep the container and the JSON whole and change what
 // they mean, so that inputs come past the parser.
+#include "tests/fuzz/drawn_inputs.h"
 #include "tests/fuzz/gltf_parts.h"
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <map>
 #include <random>
 #include <vector>
 
@@ -92,6 +95,22 @@ const std::array<const char*, 64> kWords = {"SCALAR",
                                             "children",
                                             "byteStride"};
 
+/// What stands where there is a choice, so that most changes mean another file, not a broken one.
+const std::map<std::string, std::vector<json>> kChoices = {
+    {"componentType", {5120, 5121, 5122, 5123, 5125, 5126}},
+    {"type", {"SCALAR", "VEC2", "VEC3", "VEC4", "MAT4", "perspective", "directional", "spot"}},
+    {"mode", {0, 3, 4, 5, 6, "ATTRIBUTES", "TRIANGLES", "INDICES"}},
+    {"filter", {"NONE", "OCTAHEDRAL", "QUATERNION", "EXPONENTIAL"}},
+    {"interpolation", {"LINEAR", "STEP", "CUBICSPLINE"}},
+    {"path", {"translation", "rotation", "scale", "weights"}},
+    {"alphaMode", {"OPAQUE", "MASK", "BLEND"}},
+    {"wrapS", {33071, 33648, 10497}},
+    {"wrapT", {33071, 33648, 10497}},
+    {"minFilter", {9728, 9729, 9984, 9987}},
+    {"magFilter", {9728, 9729}},
+    {"byteStride", {4, 8, 12, 16, 24, 252}},
+    {"normalized", {true, false}}};
+
 /// Draws for one mutation.
 class Dice {
 public:
@@ -121,11 +140,13 @@ public:
 
     void apply() {
         json& place = descend(root_);
-        if (place.is_structured() && !place.empty() && !dice_.one_in(6))
+        if (const auto choice = kChoices.find(key_); choice != kChoices.end() && !dice_.one_in(4))
+            place = dice_.of(choice->second);
+        else if (place.is_structured() && !place.empty() && !dice_.one_in(32))
             change_children(place);
-        else if (dice_.one_in(12))
-            place = descend(root_);
-        else if (dice_.one_in(16))
+        else if (dice_.one_in(24))
+            place = json(descend(root_));
+        else if (dice_.one_in(32))
             place = other_type();
         else if (place.is_number())
             change_number(place);
@@ -138,11 +159,19 @@ public:
     }
 
 private:
-    /// From the root down by equal chances, so that long arrays do not draw all mutations.
+    /// From the root down by equal chances, so that long arrays do not draw all mutations; key_ is
+    /// then the last member's.
     json& descend(json& from) {
         json* place = &from;
-        while (place->is_structured() && !place->empty() && (place == &root_ || !dice_.one_in(5)))
-            place = &*std::next(place->begin(), static_cast<long>(dice_.below(place->size())));
+        key_.clear();
+        while (place->is_structured() && !place->empty() &&
+               (place == &root_ || !dice_.one_in(10))) {
+            const auto child =
+                std::next(place->begin(), static_cast<long>(dice_.below(place->size())));
+            if (place->is_object())
+                key_ = child.key();
+            place = &*child;
+        }
         return *place;
     }
 
@@ -255,6 +284,7 @@ private:
 
     json& root_;
     Dice& dice_;
+    std::string key_;
 };
 
 /// The start of a view that the document names, or any place.
@@ -323,10 +353,13 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
                                           unsigned seed) {
     using namespace romascope::fuzz;
     Dice dice(seed);
-    auto parts = dice.one_in(16) ? std::nullopt : take_apart(view_of(data, size));
+    std::string_view input = view_of(data, size);
+    if (!drawn_inputs().empty() && dice.one_in(2))
+        input = drawn_inputs().pick(dice.below(drawn_inputs().count()));
+    auto parts = dice.one_in(64) ? std::nullopt : take_apart(input);
     if (!parts)
         return LLVMFuzzerMutate(data, size, max_size);
-    for (size_t n = 1 + dice.below(3); n > 0; --n) {
+    for (size_t n = dice.one_in(2) ? 1 : 1 + dice.below(4); n > 0; --n) {
         if (parts->has_bin && dice.one_in(3))
             mutate_bin(*parts, dice);
         else
@@ -334,8 +367,10 @@ extern "C" size_t LLVMFuzzerCustomMutator(uint8_t* data, size_t size, size_t max
     }
     if (dice.one_in(64))
         parts->glb = !parts->glb;
+    if (!dice.one_in(32)) // else most of what is kept would differ in how this is broken
+        parts->json["asset"] = {{"version", "2.0"}};
     const size_t written =
-        hand_over(put_together(std::move(*parts), !dice.one_in(8)), data, max_size);
+        hand_over(put_together(std::move(*parts), !dice.one_in(32)), data, max_size);
     return written > 0 ? written : LLVMFuzzerMutate(data, size, max_size);
 }
 

@@ -97,10 +97,13 @@ def main():
 
     texts = {log: log.read_text(errors="replace") for log, _ in jobs}
     runs = sum(number_after("stat::number_of_executed_units:", text) for text in texts.values())
+    drawn = sum(number_after("\ndrawn:", text) for text in texts.values())
+    moving = sum(number_after("\nmoving:", text) for text in texts.values())
     coverage = max(number_after("cov:", text) for text in texts.values())
     used = resource.getrusage(resource.RUSAGE_CHILDREN)
     print(f"{runs} inputs in {seconds:.0f} s by {options.jobs} jobs, {runs / seconds:.0f} per "
           f"second, {runs / (used.ru_utime + used.ru_stime):.0f} per second of one processor; "
+          f"{100 * drawn / max(runs, 1):.0f} % drawn, {100 * moving / max(runs, 1):.0f} % moving; "
           f"{seeds} seeds, {sum(1 for _ in corpus.iterdir())} inputs kept, {coverage} "
           f"edges reached; {len(failed)} jobs failed")
     for log in failed:
