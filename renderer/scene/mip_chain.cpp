@@ -26,10 +26,9 @@ public:
     /// The nearest code to a value in [0, 1].
     uint32_t code(float value) const {
         const auto bucket = static_cast<size_t>(value * kBuckets);
-        size_t code = first_[std::min(bucket, kBuckets - 1)];
-        while (value >= from_[code + 1])
-            ++code;
-        return static_cast<uint32_t>(code);
+        const uint32_t code = first_[std::min(bucket, kBuckets - 1)];
+        // The curve's steepest slope, 12.92 * 255 codes, passes less than one per bucket.
+        return code + (value >= from_[code + 1] ? 1 : 0);
     }
 
 private:
@@ -39,17 +38,17 @@ private:
     std::array<uint8_t, kBuckets> first_;
 };
 
-const SrgbTables& tables() {
-    static const SrgbTables made;
-    return made;
-}
-
 /// From linear colour and alpha.
-uint32_t pack(const glm::vec4& texel) {
+uint32_t pack(const SrgbTables& tables, const glm::vec4& texel) {
     const glm::vec3 color = glm::clamp(glm::vec3(texel), 0.0f, 1.0f);
     const auto alpha = static_cast<uint32_t>(glm::clamp(texel.w, 0.0f, 1.0f) * 255.0f + 0.5f);
-    return tables().code(color.x) | tables().code(color.y) << 8 | tables().code(color.z) << 16 |
+    return tables.code(color.x) | tables.code(color.y) << 8 | tables.code(color.z) << 16 |
            alpha << 24;
+}
+
+glm::vec4 unpack(const SrgbTables& tables, uint32_t texel) {
+    return {tables.linear(texel), tables.linear(texel >> 8), tables.linear(texel >> 16),
+            static_cast<float>(texel >> 24) / 255.0f};
 }
 
 /// The source texels along one axis that a texel of the next level covers, and how much of them.
@@ -69,6 +68,34 @@ Footprint footprint(int i, int from, int to) {
     const float whole = n / static_cast<float>(from);
     return {2 * i, 3, {whole * (n - k) / n, whole, whole * (k + 1.0f) / n}};
 }
+
+/// Rows of source texels, weighed and added up: all that one row of the next level covers.
+class RowSum {
+public:
+    RowSum(size_t width, bool by_alpha) : plain_(width), by_alpha_(by_alpha ? width : 0) {}
+
+    void add(size_t x, const glm::vec4& texel, float weight) {
+        plain_[x] += weight * texel;
+        if (!by_alpha_.empty())
+            by_alpha_[x] += weight * texel.w * glm::vec3(texel);
+    }
+    glm::vec4 mean(const Footprint& columns) const {
+        glm::vec4 plain(0.0f);
+        glm::vec3 color(0.0f);
+        for (size_t i = 0; i < static_cast<size_t>(columns.count); ++i) {
+            const size_t x = static_cast<size_t>(columns.first) + i;
+            plain += columns.weight[i] * plain_[x];
+            if (!by_alpha_.empty())
+                color += columns.weight[i] * by_alpha_[x];
+        }
+        // Where all is left out there is nothing to weigh by.
+        return !by_alpha_.empty() && plain.w > 0.0f ? glm::vec4(color / plain.w, plain.w) : plain;
+    }
+
+private:
+    std::vector<glm::vec4> plain_;
+    std::vector<glm::vec3> by_alpha_; ///< empty if alpha does not weigh
+};
 
 } // namespace
 
@@ -90,42 +117,29 @@ size_t texels_from_level(glm::ivec2 size, int first) {
 
 std::vector<uint32_t> smaller_levels(glm::ivec2 size, std::span<const uint32_t> texels,
                                      bool by_alpha) {
+    static const SrgbTables tables;
     std::vector<uint32_t> out;
     out.reserve(texels_from_level(size, 1));
-    // Sums of exact values, not of the codes of the level before: those would add up roundings.
+    // Means of exact values, not of the codes of the level before: those would add up roundings.
     std::vector<glm::vec4> above, below;
-    const auto source = [&](size_t i) {
-        if (!above.empty())
-            return above[i];
-        const uint32_t texel = texels[i];
-        return glm::vec4(tables().linear(texel), tables().linear(texel >> 8),
-                         tables().linear(texel >> 16), static_cast<float>(texel >> 24) / 255.0f);
-    };
     for (int level = 1; level < level_count(size); ++level) {
         const glm::ivec2 from = gpu::level_size(size, level - 1);
         const glm::ivec2 to = gpu::level_size(size, level);
+        const auto width = static_cast<size_t>(from.x);
         below.clear();
         for (int y = 0; y < to.y; ++y) {
             const Footprint rows = footprint(y, from.y, to.y);
+            RowSum sum(width, by_alpha);
+            for (int j = 0; j < rows.count; ++j) {
+                const size_t first = static_cast<size_t>(rows.first + j) * width;
+                const float weight = rows.weight[static_cast<size_t>(j)];
+                for (size_t x = 0; x < width; ++x)
+                    sum.add(x, level == 1 ? unpack(tables, texels[first + x]) : above[first + x],
+                            weight);
+            }
             for (int x = 0; x < to.x; ++x) {
-                const Footprint columns = footprint(x, from.x, to.x);
-                glm::vec4 plain(0.0f), weighed(0.0f);
-                for (int j = 0; j < rows.count; ++j)
-                    for (int i = 0; i < columns.count; ++i) {
-                        const auto at =
-                            static_cast<size_t>(rows.first + j) * static_cast<size_t>(from.x) +
-                            static_cast<size_t>(columns.first + i);
-                        const glm::vec4 texel = source(at);
-                        const float weight = rows.weight[static_cast<size_t>(j)] *
-                                             columns.weight[static_cast<size_t>(i)];
-                        plain += weight * texel;
-                        if (by_alpha)
-                            weighed += weight * texel.w * texel;
-                    }
-                if (by_alpha && plain.w > 0.0f)
-                    plain = glm::vec4(glm::vec3(weighed) / plain.w, plain.w);
-                below.push_back(plain);
-                out.push_back(pack(plain));
+                below.push_back(sum.mean(footprint(x, from.x, to.x)));
+                out.push_back(pack(tables, below.back()));
             }
         }
         std::swap(above, below);
