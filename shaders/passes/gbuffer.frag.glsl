@@ -18,23 +18,27 @@ layout(location = 2) out vec4 out_emission;
 #include "shaders/common/octahedral.glsl"
 
 void main() {
+    // Derivatives come first: after a discard they are undefined.
+    vec3 facing = cross(dFdx(from_eye), dFdy(from_eye));
 #if SURFACE_DETAIL
-    vec3 base = surface_color(material_index, surface_uv, dFdx(surface_uv), dFdy(surface_uv));
-    base *= surface_vertex_color.rgb;
-#else
-    vec3 base = materials[material_index].base_color.rgb;
+    vec2 uv_dx = dFdx(surface_uv);
+    vec2 uv_dy = dFdy(surface_uv);
+#endif
+#if ALPHA_MASK
+    if (!surface_is_there(material_index, surface_uv, surface_vertex_color.a))
+        discard;
 #endif
     // The side that faces the viewer is the triangle's own; the shading normal follows it.
-    vec3 facing = cross(dFdx(from_eye), dFdy(from_eye));
     if (dot(facing, from_eye) > 0.0)
         facing = -facing;
     float length_squared = dot(world_normal, world_normal);
     vec3 n = length_squared > 0.0 ? world_normal * inversesqrt(length_squared) : normalize(facing);
     out_normal = encode_direction(dot(n, facing) < 0.0 ? -n : n);
+#if SURFACE_DETAIL
+    vec3 base = surface_color(material_index, surface_uv, uv_dx, uv_dy) * surface_vertex_color.rgb;
+#else
+    vec3 base = materials[material_index].base_color.rgb;
+#endif
     out_base_color = vec4(base, 1.0);
     out_emission = vec4(materials[material_index].emissive.rgb, 1.0);
-#if ALPHA_MASK
-    if (!surface_is_there(material_index, surface_uv, surface_vertex_color.a))
-        discard;
-#endif
 }
