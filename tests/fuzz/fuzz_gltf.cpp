@@ -4,6 +4,7 @@
 #include "renderer/base/error.h"
 #include "renderer/scene/gltf/import.h"
 #include "tests/fuzz/drawn_inputs.h"
+#include "tests/fuzz/heap_peak.h"
 #include "tests/fuzz/scene_check.h"
 
 #include <algorithm>
@@ -20,6 +21,9 @@ using namespace romascope;
 
 /// Small, so that what would need more is refused quickly and often.
 constexpr size_t kMemory = size_t{32} << 20;
+/// What is not counted: JSON, twice, in trees whose nodes take up to hundreds of bytes each.
+constexpr size_t kUncounted = size_t{2} << 20;
+constexpr size_t kUncountedPerByte = 512;
 
 /// How many inputs came through; said at the end.
 struct Tally {
@@ -65,18 +69,26 @@ void check_refusal(const Error& error) {
             fail("a refusal of more than one line: " + std::string(line));
 }
 
+void check_memory(const fuzz::HeapPeak& heap, size_t size) {
+    if (heap.bytes() > kMemory + kUncounted + kUncountedPerByte * size)
+        fail("took " + std::to_string(heap.bytes()) + " bytes of " + std::to_string(kMemory));
+}
+
 } // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
+    const std::string_view input(reinterpret_cast<const char*>(data), size);
+    const fuzz::HeapPeak heap;
     try {
-        const Scene scene =
-            import_gltf(std::string(reinterpret_cast<const char*>(data), size), kPath, kMemory);
+        const Scene scene = import_gltf(std::string(input), kPath, kMemory);
+        check_memory(heap, size);
         if (const std::string promise = fuzz::broken_promise(scene); !promise.empty())
             fail("a scene breaks a promise: " + promise);
         ++tally.drawn;
-        fuzz::drawn_inputs().add(kind_of(scene), {reinterpret_cast<const char*>(data), size});
         tally.moving += !scene.motion.parts.empty();
+        fuzz::drawn_inputs().add(kind_of(scene), input);
     } catch (const Error& error) {
+        check_memory(heap, size);
         check_refusal(error);
         ++tally.refused;
     }
