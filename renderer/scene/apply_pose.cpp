@@ -50,18 +50,17 @@ private:
     const double* weights_;
 };
 
-/// Where a node's frame puts a camera or light, which look along -z. False, with nothing changed,
-/// if the frame is squashed to no direction.
-bool place(const glm::dmat4& frame, glm::vec3& position, glm::vec3& forward, glm::vec3* up) {
+/// Where a node's frame puts a camera or light, which look along -z. Directions stay as they are
+/// where the frame is squashed to none.
+void place(const glm::dmat4& frame, glm::vec3& position, glm::vec3& forward, glm::vec3* up) {
     const glm::dvec3 ahead = -glm::dvec3(frame[2]);
     const glm::dvec3 above = glm::cross(glm::cross(ahead, glm::dvec3(frame[1])), ahead);
-    if (!(glm::length(ahead) > 0.0) || (up && !(glm::length(above) > 0.0)))
-        return false;
     position = glm::vec3(frame[3]);
+    if (!(glm::length(ahead) > 0.0) || (up && !(glm::length(above) > 0.0)))
+        return;
     forward = glm::vec3(glm::normalize(ahead));
     if (up)
         *up = glm::vec3(glm::normalize(above));
-    return true;
 }
 
 } // namespace

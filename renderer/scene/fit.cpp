@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/fit.h"
 
+#include "renderer/base/error.h"
 #include "renderer/scene/pose.h"
 
 #include <glm/gtc/constants.hpp>
@@ -28,7 +29,11 @@ void add_course(ViewFit& fit, const Motion& motion) {
     const MovingBounds boxes(motion);
     for (int i = 0; i < kTimes; ++i) {
         const Pose pose = pose_at(motion, 0, motion.animations[0].duration * i / kTimes);
-        fit.add(boxes.moving_at(motion, pose, palette(motion, pose)));
+        try {
+            fit.add(boxes.moving_at(motion, pose, palette(motion, pose)));
+        } catch (const Error&) {
+            continue; // far out of sight at a moment that nobody has asked for
+        }
     }
 }
 

@@ -67,8 +67,9 @@ struct MorphDelta {
 struct MovingPart {
     uint32_t first_vertex = 0, vertex_count = 0; ///< in Scene::positions
     uint32_t node = 0;
-    int skin = -1;             ///< -1: rigid
-    uint32_t first_matrix = 0; ///< into the palette of `palette()`: one, or one per joint
+    int skin = -1; ///< -1: rigid
+    /// Into the palette of `palette()`: one, or one per joint; parts of one skin may share theirs.
+    uint32_t first_matrix = 0;
     /// Into Motion::influences: `influence_sets` for each vertex in turn. 0 sets: rigid.
     uint32_t first_influence = 0, influence_sets = 0;
     /// Into Motion::deltas: for each target in turn, one for each vertex.

@@ -204,7 +204,11 @@ Pose pose_at(const Motion& motion, int animation, double seconds) {
 
 std::vector<glm::dmat4> palette(const Motion& motion, const Pose& pose) {
     std::vector<glm::dmat4> matrices(motion.matrix_count, glm::dmat4(1.0));
+    std::vector<bool> written(motion.matrix_count, false); // parts of one skin share its matrices
     for (const MovingPart& part : motion.parts) {
+        if (written[part.first_matrix])
+            continue;
+        written[part.first_matrix] = true;
         const std::span<glm::dmat4> own = std::span(matrices).subspan(part.first_matrix);
         if (part.skin < 0) {
             own[0] = pose.node_to_world[part.node];

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <map>
 #include <span>
 
 namespace romascope {
@@ -18,13 +19,16 @@ constexpr double kRounding = 64.0 * 0x1p-24;
 /// A box around vertices and what morph targets add to them.
 struct GrownBox {
     glm::dvec3 min, max;
+    glm::dvec3 terms; ///< no sum that leads to a vertex has larger terms: targets may cancel
 
-    explicit GrownBox(const Bounds& bounds) : min(bounds.min), max(bounds.max) {}
+    explicit GrownBox(const Bounds& bounds)
+        : min(bounds.min), max(bounds.max), terms(glm::max(glm::abs(min), glm::abs(max))) {}
     void grow(const Bounds& range, double weight) {
         const glm::dvec3 a = weight * glm::dvec3(range.min);
         const glm::dvec3 b = weight * glm::dvec3(range.max);
         min += glm::min(a, b);
         max += glm::max(a, b);
+        terms += glm::max(glm::abs(a), glm::abs(b));
     }
 };
 
@@ -54,7 +58,7 @@ Bounds image(const glm::dmat4& matrix, const GrownBox& box) {
         const glm::dvec3 b = glm::dvec3(matrix[axis]) * box.max[axis];
         min += glm::min(a, b);
         max += glm::max(a, b);
-        largest += glm::max(glm::abs(a), glm::abs(b));
+        largest += glm::abs(glm::dvec3(matrix[axis])) * box.terms[axis];
     }
     return rounded_outwards(min - kRounding * largest, max + kRounding * largest);
 }
@@ -69,18 +73,18 @@ void check_size(const Bounds& bounds) {
                         kBadInput);
 }
 
-/// Around the rest positions of what each matrix of a part moves: those of its joints in turn, or
-/// one.
-std::vector<Bounds> boxes_of(const Motion& motion, const MovingPart& part) {
+/// Around the rest positions of what each matrix of a part moves, by its place among the part's:
+/// of the joints in use, or of the one.
+std::map<uint32_t, Bounds> boxes_of(const Motion& motion, const MovingPart& part) {
     const auto rest = std::span(motion.rest_positions)
                           .subspan(part.first_vertex - motion.first_vertex, part.vertex_count);
     if (part.influence_sets == 0) {
         Bounds all;
         for (const glm::vec3& position : rest)
             all.add(position);
-        return {all};
+        return {{0, all}};
     }
-    std::vector<Bounds> boxes(motion.skins[static_cast<size_t>(part.skin)].joints.size());
+    std::map<uint32_t, Bounds> boxes; // a part may use few of very many joints
     const Influence* influence = motion.influences.data() + part.first_influence;
     for (const glm::vec3& position : rest)
         for (uint32_t set = 0; set < part.influence_sets; ++set, ++influence)
@@ -105,12 +109,9 @@ std::vector<Bounds> ranges_of(const Motion& motion, const MovingPart& part) {
 MovingBounds::MovingBounds(const Motion& motion) {
     for (uint32_t index = 0; index < motion.parts.size(); ++index) {
         const MovingPart& part = motion.parts[index];
-        uint32_t matrix = part.first_matrix;
-        for (const Bounds& box : boxes_of(motion, part)) {
+        for (const auto& [matrix, box] : boxes_of(motion, part))
             if (!box.empty())
-                boxes_.push_back({index, matrix, box});
-            ++matrix;
-        }
+                boxes_.push_back({index, part.first_matrix + matrix, box});
         first_range_.push_back(target_ranges_.size());
         for (const Bounds& range : ranges_of(motion, part))
             target_ranges_.push_back(range);

@@ -520,5 +520,120 @@ TEST(GltfMemory, instances_and_shared_keys_cannot_multiply_without_bound) {
     EXPECT_CONTAINS(refusal(keys, SIZE_MAX), "the animations hold more than");
 }
 
+/// Smallest dot product of a triangle's own normal and its vertices'.
+float least_agreement(const Scene& scene) {
+    float least = 1.0f;
+    for (size_t i = 0; i < scene.indices.size(); i += 3) {
+        const auto at = [&](size_t k) { return scene.positions[scene.indices[i + k]]; };
+        const glm::vec3 own = glm::normalize(glm::cross(at(1) - at(0), at(2) - at(0)));
+        for (size_t k = 0; k < 3; ++k)
+            least = std::min(least, glm::dot(own, scene.normals[scene.indices[i + k]]));
+    }
+    return least;
+}
+
+TEST(GltfMotion, mirrored_parts_keep_their_outside) {
+    for (const json& scale : {json{1, 1, 1}, json{-1, 1, 1}, json{-1, -2, -3}, json{1, 1, -1}}) {
+        TriangleFile rigid;
+        rigid.node()["scale"] = scale;
+        rigid.animate(0, "translation", {0, 1}, {0, 0, 0, 5, 0, 0}, "VEC3");
+        EXPECT_GT(least_agreement(load(rigid)), 0.99f) << scale;
+
+        // All vertices follow joint 1; joint 0, which moves none, is mirrored or not.
+        SkinnedFile skinned;
+        skinned.weights = {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
+        skinned.joints = {0, 1, 0, 0, 0, 1, 0, 0, 0, 1, 0, 0};
+        skinned.finish();
+        skinned.root["nodes"][1]["children"] = json::array();
+        skinned.root["nodes"][1]["scale"] = {-1, 1, 1};
+        skinned.root["nodes"][2]["scale"] = scale;
+        EXPECT_GT(least_agreement(load(skinned)), 0.99f) << scale;
+    }
+    // One that has no size at second 0 is turned as it will be.
+    TriangleFile pop;
+    pop.root["nodes"] = {{{"children", {1}}, {"scale", {-1, 1, 1}}}, {{"mesh", 0}}};
+    pop.animate(1, "scale", {0, 1}, {0, 0, 0, 1, 1, 1}, "VEC3");
+    const Scene scene = load(pop);
+    EXPECT_EQ(scene.indices, (std::vector<uint32_t>{0, 2, 1}));
+}
+
+TEST(GltfMotion, parts_of_one_skin_share_its_matrices) {
+    SkinnedFile file;
+    file.finish();
+    const json primitive = file.primitive();
+    for (int i = 0; i < 300; ++i)
+        file.root["meshes"][0]["primitives"].push_back(primitive);
+    const Scene scene = load(file);
+    EXPECT_EQ(scene.motion.parts.size(), 301u);
+    EXPECT_EQ(scene.motion.matrix_count, 2u);
+    EXPECT_TRUE(near(scene.positions[3 * 300 + 1], {6, 0, 0}));
+}
+
+TEST(GltfMotion, a_camera_is_found_for_what_leaves_all_bounds_later) {
+    TriangleFile file;
+    file.root["nodes"] = {{{"children", {1}}}, {{"mesh", 0}}};
+    for (const size_t node : {0, 1})
+        file.animate(node, "translation", {0, 1}, {0, 0, 0, 8e8f, 0, 0}, "VEC3");
+    EXPECT_EQ(load(file).cameras.size(), 1u);
+    for (json& node : file.root["nodes"])
+        node["scale"] = {1e6, 1e6, 1e6};
+    EXPECT_CONTAINS(refusal(file), "animations[0]: moves, at second 0, a vertex beyond");
+}
+
+TEST(GltfMaterials, blend_with_holes_is_a_mask) {
+    TexturedFile file;
+    const std::string clear =
+        "data:image/png;base64,"
+        "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNgYGBgAAAABQ"
+        "ABh6FO1AAAAABJRU5ErkJggg==";
+    json& material = file.root["materials"][0];
+    material["alphaMode"] = "BLEND";
+    material["pbrMetallicRoughness"]["baseColorFactor"] = {1, 1, 1, 0.25};
+    EXPECT_EQ(load(file).materials[0].alpha_cutoff, 0.0f);
+    file.root["images"][0] = {{"uri", clear}};
+    const Scene scene = load(file);
+    EXPECT_EQ(scene.materials[0].alpha_cutoff, 0.5f);
+    EXPECT_EQ(scene.materials[0].alpha, 1.0f);
+    EXPECT_TRUE(has_notice(scene, "drawn as a mask at one half"));
+}
+
+TEST(GltfMaterials, textures_of_one_picture_are_one) {
+    TexturedFile file;
+    for (int i = 1; i < 200; ++i) {
+        file.add("textures", {{"source", 0}});
+        json primitive = file.primitive();
+        primitive["material"] = i;
+        file.root["meshes"][0]["primitives"].push_back(primitive);
+        file.add("materials", {{"pbrMetallicRoughness", {{"baseColorTexture", {{"index", i}}}}}});
+    }
+    file.add("samplers", {{"wrapS", 33071}});
+    file.root["textures"][7]["sampler"] = 0;
+    const Scene scene = load(file);
+    EXPECT_EQ(scene.materials.size(), 200u);
+    EXPECT_EQ(scene.textures.size(), 2u);
+}
+
+TEST(GltfMemory, products_of_what_a_small_file_lists_are_bounded) {
+    TriangleFile targets;
+    targets.primitive()["targets"] = json(std::vector<json>(20000, json::object()));
+    for (int i = 0; i < 20000; ++i)
+        targets.add("nodes", {{"mesh", 0}});
+    EXPECT_CONTAINS(refusal(targets), "needs");
+    EXPECT_CONTAINS(refusal(targets, SIZE_MAX), "morph targets in all");
+
+    TriangleFile names; // quadratic work would take minutes
+    names.add("cameras", {{"type", "perspective"}, {"perspective", {{"yfov", 1}, {"znear", 1}}}});
+    for (int i = 0; i < 40000; ++i)
+        names.add("nodes", {{"camera", 0}});
+    EXPECT_EQ(load(names, size_t{1} << 30).cameras.back().name, "camera_40000");
+
+    TriangleFile primitives;
+    for (int i = 0; i < 20000; ++i) {
+        primitives.root["meshes"][0]["primitives"].push_back({{"attributes", json::object()}});
+        primitives.add("nodes", {{"mesh", 0}});
+    }
+    EXPECT_EQ(load(primitives, size_t{1} << 30).triangle_count(), 20001u);
+}
+
 } // namespace
 } // namespace romascope

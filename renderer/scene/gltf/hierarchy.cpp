@@ -45,23 +45,38 @@ void read_transform(const tinygltf::Node& source, const std::string& element, Mo
     node.rotation.w = turn.w / length;
 }
 
-/// The weights of the morph targets of a node's mesh: its own, its mesh's, or zeros.
-std::vector<float> read_weights(const tinygltf::Model& model, const tinygltf::Node& node,
-                                const std::string& element) {
-    if (node.mesh < 0)
-        return {};
-    const tinygltf::Mesh& mesh = model.meshes[static_cast<size_t>(node.mesh)];
-    size_t targets = 0;
-    for (const tinygltf::Primitive& primitive : mesh.primitives)
-        targets = std::max(targets, primitive.targets.size());
-    const auto& given = node.weights.empty() ? mesh.weights : node.weights;
-    std::vector<float> weights(targets, 0.0f);
+/// Nodes that show one mesh multiply its morph targets; no honest file comes near this.
+constexpr size_t kMaxWeights = 100'000'000;
+
+/// Per mesh: the most targets that a primitive of it has.
+std::vector<size_t> target_counts(const tinygltf::Model& model) {
+    std::vector<size_t> counts;
+    for (const tinygltf::Mesh& mesh : model.meshes) {
+        size_t most = 0;
+        for (const tinygltf::Primitive& primitive : mesh.primitives)
+            most = std::max(most, primitive.targets.size());
+        counts.push_back(most);
+    }
+    return counts;
+}
+
+/// Adds the weights of the morph targets of a node's mesh: its own, its mesh's, or zeros.
+void add_weights(const tinygltf::Model& model, const tinygltf::Node& source, size_t targets,
+                 const std::string& element, Hierarchy& hierarchy, MotionNode& node) {
+    auto& weights = hierarchy.weights;
+    if (targets > kMaxWeights - weights.size())
+        refuse(element + ".mesh",
+               fmt::format("the nodes have more than {} morph targets in all", kMaxWeights));
+    node.first_weight = static_cast<uint32_t>(weights.size());
+    node.weight_count = static_cast<uint32_t>(targets);
+    weights.resize(weights.size() + targets, 0.0f);
+    const auto& own = source.weights;
+    const auto& given = own.empty() ? model.meshes[static_cast<size_t>(source.mesh)].weights : own;
     for (size_t i = 0; i < std::min(targets, given.size()); ++i) {
-        weights[i] = static_cast<float>(given[i]);
         if (!(std::abs(given[i]) <= kMaxCoordinate))
             refuse(fmt::format("{}.weights[{}]", element, i), "is not a sane number");
+        weights[node.first_weight + i] = static_cast<float>(given[i]);
     }
-    return weights;
 }
 
 /// Nodes of the scene that is drawn, by their index in the file.
@@ -77,19 +92,20 @@ std::vector<int> scene_roots(const tinygltf::Model& model, const std::vector<boo
 
 } // namespace
 
-Hierarchy read_hierarchy(const Document& document) {
+Hierarchy read_hierarchy(const Document& document, MemoryBudget& budget) {
     const tinygltf::Model& model = document.model();
     const size_t count = model.nodes.size();
     Hierarchy hierarchy;
     hierarchy.place.resize(count);
+    const std::vector<size_t> targets = target_counts(model);
     std::vector<bool> has_parent(count, false);
     for (const tinygltf::Node& node : model.nodes)
         for (const int child : node.children)
             has_parent[static_cast<size_t>(child)] = true;
-    const std::vector<int> roots = scene_roots(model, has_parent);
-    std::vector<bool> in_scene(count, false);
+    const std::vector<int> roots = scene_roots(model, has_parent); // checked: no one's children
+    std::vector<bool> drawn_root(count, false);
     for (const int root : roots)
-        in_scene[static_cast<size_t>(root)] = true;
+        drawn_root[static_cast<size_t>(root)] = true;
 
     // Depth first, with a stack of its own: hierarchies may be deeper than the program's stack.
     struct Visit {
@@ -99,31 +115,30 @@ Hierarchy read_hierarchy(const Document& document) {
     };
     std::vector<Visit> stack;
     for (size_t i = count; i-- > 0;)
-        if (!has_parent[i] && !in_scene[i])
+        if (!has_parent[i] && !drawn_root[i])
             stack.push_back({static_cast<uint32_t>(i), -1, false});
     for (auto root = roots.rbegin(); root != roots.rend(); ++root)
-        if (!has_parent[static_cast<size_t>(*root)]) // others are drawn below their parents
-            stack.push_back({static_cast<uint32_t>(*root), -1, true});
+        stack.push_back({static_cast<uint32_t>(*root), -1, true});
     while (!stack.empty()) {
         const Visit visit = stack.back();
         stack.pop_back();
         const tinygltf::Node& source = model.nodes[visit.node];
         const std::string element = fmt::format("nodes[{}]", visit.node);
         const auto place = static_cast<uint32_t>(hierarchy.nodes.size());
-        const bool drawn = visit.drawn || in_scene[visit.node];
         MotionNode node;
         node.parent = visit.parent;
         read_transform(source, element, node);
-        const std::vector<float> weights = read_weights(model, source, element);
-        node.first_weight = static_cast<uint32_t>(hierarchy.weights.size());
-        node.weight_count = static_cast<uint32_t>(weights.size());
-        hierarchy.weights.insert(hierarchy.weights.end(), weights.begin(), weights.end());
+        if (const size_t most = source.mesh < 0 ? 0 : targets[static_cast<size_t>(source.mesh)]) {
+            // Kept here, in the scene's motion, and in each pose.
+            budget.take(most, 2 * sizeof(float) + sizeof(double), element + ".mesh");
+            add_weights(model, source, most, element, hierarchy, node);
+        }
         hierarchy.nodes.push_back(node);
         hierarchy.file_node.push_back(visit.node);
         hierarchy.place[visit.node] = place;
-        hierarchy.drawn.push_back(drawn);
+        hierarchy.drawn.push_back(visit.drawn);
         for (auto child = source.children.rbegin(); child != source.children.rend(); ++child)
-            stack.push_back({static_cast<uint32_t>(*child), static_cast<int>(place), drawn});
+            stack.push_back({static_cast<uint32_t>(*child), static_cast<int>(place), visit.drawn});
     }
     hierarchy.moves.resize(count, false);
     return hierarchy;

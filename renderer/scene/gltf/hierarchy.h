@@ -19,8 +19,9 @@ struct Hierarchy {
 };
 
 /// The default scene is drawn, or the first, or, without scenes, all. `moves` is left false.
-/// Throws Error (kBadInput) for a transform that is none, or not finite.
-Hierarchy read_hierarchy(const Document& document);
+/// Throws Error (kBadInput) for a transform that is none, or not finite, and for more morph targets
+/// than the budget holds.
+Hierarchy read_hierarchy(const Document& document, MemoryBudget& budget);
 
 /// Says what moves, once the animations are known.
 void mark_moving(Hierarchy& hierarchy, const std::vector<Animation>& animations);

@@ -21,12 +21,24 @@ namespace {
 /// Beyond this, products of the edges of moving triangles would not be floats.
 constexpr double kMaxReach = 1e12;
 
+/// Like apply_pose, at the moment that every scene is read at.
+void place_first(Scene& scene, const Pose& start) {
+    try {
+        apply_pose(scene, start);
+    } catch (const Error&) { // whose advice, another time, helps only once a scene is there
+        const bool moves = !scene.motion.animations.empty();
+        refuse(moves ? "animations[0]" : "nodes",
+               fmt::format("{} a vertex beyond {} m",
+                           moves ? "moves, at second 0," : "skin or morph", kMaxCoordinate));
+    }
+}
+
 Scene build(const Document& document, MemoryBudget& budget) {
     Notices notices;
     for (const std::string& line : document.notices())
         notices.add("file", line);
     Scene scene;
-    Hierarchy hierarchy = read_hierarchy(document);
+    Hierarchy hierarchy = read_hierarchy(document, budget);
     scene.motion.nodes = hierarchy.nodes;
     scene.motion.weights = hierarchy.weights;
     scene.motion.animations = read_animations(document, hierarchy, budget, notices);
@@ -42,7 +54,7 @@ Scene build(const Document& document, MemoryBudget& budget) {
     } else {
         if (!(reach(scene.motion) <= kMaxReach))
             refuse("animations", fmt::format("may move something further than {} m", kMaxReach));
-        apply_pose(scene, start);
+        place_first(scene, start);
     }
     sort_by_group(scene);
     if (scene.cameras.empty())
@@ -65,6 +77,8 @@ Scene import_gltf(std::string content, const std::filesystem::path& path, size_t
         Scene scene = gltf::build(document, budget);
         scene.name = path.stem().string();
         return scene;
+    } catch (const std::bad_alloc&) {
+        throw Error(path.string() + ": there is not enough memory for it", kBadInput);
     } catch (const Error& error) {
         throw Error(path.string() + ": " + gltf::one_line(error.what()), error.exit_status());
     }

@@ -2,17 +2,18 @@
 #include "renderer/scene/gltf/instances.h"
 
 #include "renderer/scene/gltf/numbers.h"
+#include "renderer/scene/gltf/plan.h"
 #include "renderer/scene/gltf/skin.h"
+#include "renderer/scene/pose.h"
 
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <map>
+#include <optional>
 
 namespace romascope::gltf {
 namespace {
-
-/// Instances can multiply a small file beyond any patience.
-constexpr size_t kMaxTriangles = 50'000'000;
 
 /// A node that shows a mesh.
 struct Instance {
@@ -22,21 +23,6 @@ struct Instance {
     bool moves = false;
 };
 
-/// Most that the scene can come to hold, from counts alone.
-struct Plan {
-    size_t vertices = 0, corners = 0;
-    size_t moving_vertices = 0, influences = 0, deltas = 0;
-    bool texcoords = false, colors = false;
-};
-
-bool has(const tinygltf::Primitive& primitive, const char* name) {
-    return primitive.attributes.contains(name);
-}
-
-size_t count_of(const tinygltf::Model& model, int accessor) {
-    return accessor < 0 ? 0 : model.accessors[static_cast<size_t>(accessor)].count;
-}
-
 class Writer {
 public:
     Writer(const Document& document, const Hierarchy& hierarchy,
@@ -44,7 +30,7 @@ public:
            Notices& notices)
         : document_(document), model_(document.model()), hierarchy_(hierarchy),
           node_to_world_(node_to_world), scene_(scene), budget_(budget), notices_(notices),
-          materials_(document, scene, budget, notices) {}
+          rest_(pose_at(scene.motion, -1, 0.0)), materials_(document, scene, budget, notices) {}
 
     void write() {
         find_instances();
@@ -72,6 +58,8 @@ private:
     void add(const Instance& instance);
     void add_still(const Piece& piece, const Instance& instance);
     void add_moving(const Piece& piece, const Instance& instance);
+    void take_matrices(size_t count);
+    void turn_mirrored(const MovingPart& part, size_t first_corner);
     void add_attributes(const Piece& piece, const std::vector<uint32_t>* vertices);
     void add_triangles(const Piece& piece, uint32_t first, bool flat, bool mirrored);
     std::string element_of(const Instance& instance) const {
@@ -85,6 +73,8 @@ private:
     Scene& scene_;
     MemoryBudget& budget_;
     Notices& notices_;
+    const Pose rest_;                       ///< without animation
+    std::map<int, uint32_t> skin_matrices_; ///< per skin in use: its first matrix of the palette
     Materials materials_;
     std::vector<Instance> instances_;
     std::vector<size_t> uses_left_;                         ///< per mesh
@@ -115,36 +105,13 @@ void Writer::find_instances() {
 }
 
 Plan Writer::make_plan() const {
+    std::vector<std::optional<MeshPlan>> meshes(model_.meshes.size());
     Plan plan;
-    size_t corners = 0;
     for (const Instance& instance : instances_) {
-        for (const tinygltf::Primitive& primitive : model_.meshes[instance.mesh].primitives) {
-            const auto position = primitive.attributes.find("POSITION");
-            if (position == primitive.attributes.end() || primitive.mode < TINYGLTF_MODE_TRIANGLES)
-                continue;
-            const size_t vertices = count_of(model_, position->second);
-            corners = primitive.indices < 0 ? vertices : count_of(model_, primitive.indices);
-            if (primitive.mode != TINYGLTF_MODE_TRIANGLES)
-                corners = corners < 3 ? 0 : 3 * (std::min(corners, kMaxTriangles * 3) - 2);
-            if (corners / 3 > kMaxTriangles - plan.corners / 3)
-                refuse(element_of(instance),
-                       fmt::format("the scene has more than {} triangles", kMaxTriangles));
-            const bool flat = !instance.moves && !has(primitive, "NORMAL");
-            const size_t used = flat ? corners : std::min(vertices, corners);
-            plan.corners += corners;
-            plan.vertices += used;
-            plan.colors = plan.colors || has(primitive, "COLOR_0");
-            plan.texcoords = plan.texcoords || materials_.texcoords(primitive.material).set >= 0;
-            if (!instance.moves)
-                continue;
-            plan.moving_vertices += used;
-            plan.deltas += used * primitive.targets.size();
-            for (int set = 0;
-                 instance.skin >= 0 && has(primitive, fmt::format("JOINTS_{}", set).c_str()); ++set)
-                plan.influences += used;
-            if (plan.deltas > 10 * kMaxTriangles || plan.influences > 10 * kMaxTriangles)
-                refuse(element_of(instance), "too many vertices, joints and morph targets");
-        }
+        auto& mesh = meshes[instance.mesh];
+        if (!mesh)
+            mesh = plan_mesh(model_, instance.mesh, materials_);
+        plan.add(*mesh, instance.moves, instance.skin >= 0, element_of(instance));
     }
     return plan;
 }
@@ -224,15 +191,11 @@ void Writer::add_triangles(const Piece& piece, uint32_t first, bool flat, bool m
 
 void Writer::add_still(const Piece& piece, const Instance& instance) {
     const glm::dmat4& world = node_to_world_[instance.node];
-    // The cofactors are the inverse transpose times the determinant, and exist even where a scale
-    // is zero; the determinant's sign is what a mirrored instance needs.
     const glm::dmat3 linear(world);
     const bool mirrored = glm::determinant(linear) < 0.0;
-    glm::dmat3 cofactors(glm::cross(linear[1], linear[2]), glm::cross(linear[2], linear[0]),
-                         glm::cross(linear[0], linear[1]));
-    if (mirrored)
-        cofactors = -cofactors;
-    if (cofactors == glm::dmat3(0.0))
+    if (glm::cross(linear[1], linear[2]) == glm::dvec3(0.0) &&
+        glm::cross(linear[2], linear[0]) == glm::dvec3(0.0) &&
+        glm::cross(linear[0], linear[1]) == glm::dvec3(0.0))
         return; // scaled to a line or a point: the usual way to hide something
     const auto first = static_cast<uint32_t>(scene_.positions.size());
     const bool flat = piece.normals.empty(); // each triangle has its own normal and vertices
@@ -246,16 +209,45 @@ void Writer::add_still(const Piece& piece, const Instance& instance) {
         if (!glm::all(glm::lessThanEqual(glm::abs(position), glm::dvec3(kMaxCoordinate))))
             refuse(element_of(instance),
                    fmt::format("places a vertex beyond {} m", kMaxCoordinate));
-        const glm::dvec3 normal = cofactors * glm::dvec3(flat ? own_normal : piece.normals[i]);
-        const double length = glm::length(normal);
         scene_.positions.push_back(glm::vec3(position));
-        scene_.normals.push_back(length > 0.0 && std::isfinite(length)
-                                     ? glm::vec3(normal / length)
-                                     : glm::vec3(0.0f, 1.0f, 0.0f));
+        scene_.normals.push_back(
+            moved_normal(linear, glm::dvec3(flat ? own_normal : piece.normals[i])));
         scene_.bounds.add(scene_.positions.back());
     }
     add_attributes(piece, flat ? &piece.corners : nullptr);
     add_triangles(piece, first, flat, mirrored);
+}
+
+/// Matrices are kept by the poses of the CPU and in the palette of the GPU.
+void Writer::take_matrices(size_t count) {
+    budget_.take(count, sizeof(glm::dmat4) + 3 * sizeof(glm::vec4), "scene");
+    scene_.motion.matrix_count += static_cast<uint32_t>(count);
+}
+
+/// Turns round those triangles of a part, from index `first_corner` on, that its matrices mirror:
+/// as it stands first, or without animation where it has no size yet.
+void Writer::turn_mirrored(const MovingPart& part, size_t first_corner) {
+    const Motion& motion = scene_.motion;
+    const auto orientation = [&](uint32_t vertex, const std::vector<glm::dmat4>& node_to_world) {
+        if (part.influence_sets == 0)
+            return glm::determinant(glm::dmat3(node_to_world[part.node]));
+        const Skin& skin = motion.skins[static_cast<size_t>(part.skin)];
+        glm::dmat3 matrix(0.0);
+        const size_t first =
+            part.first_influence + size_t{vertex - part.first_vertex} * part.influence_sets;
+        for (size_t set = first; set < first + part.influence_sets; ++set)
+            for (int i = 0; i < 4; ++i) {
+                const size_t joint = motion.influences[set].joint[i];
+                matrix += double{motion.influences[set].weight[i]} *
+                          glm::dmat3(node_to_world[skin.joints[joint]] * skin.inverse_bind[joint]);
+            }
+        return glm::determinant(matrix);
+    };
+    for (size_t i = first_corner; i < scene_.indices.size(); i += 3) {
+        const double now = orientation(scene_.indices[i], node_to_world_);
+        if ((now != 0.0 ? now : orientation(scene_.indices[i], rest_.node_to_world)) < 0.0)
+            std::swap(scene_.indices[i + 1], scene_.indices[i + 2]);
+    }
 }
 
 void Writer::add_moving(const Piece& piece, const Instance& instance) {
@@ -264,11 +256,9 @@ void Writer::add_moving(const Piece& piece, const Instance& instance) {
     part.first_vertex = static_cast<uint32_t>(scene_.positions.size());
     part.vertex_count = static_cast<uint32_t>(piece.positions.size());
     part.node = instance.node;
-    part.first_matrix = motion.matrix_count;
     part.first_influence = static_cast<uint32_t>(motion.influences.size());
     part.first_delta = static_cast<uint32_t>(motion.deltas.size());
     const auto influences = influence_accessors(model_, piece.mesh, piece.primitive);
-    bool mirrored = false;
     if (instance.skin >= 0 && !influences.joints.empty()) {
         const Skin& skin = motion.skins[static_cast<size_t>(instance.skin)];
         part.skin = instance.skin;
@@ -276,12 +266,13 @@ void Writer::add_moving(const Piece& piece, const Instance& instance) {
         const auto read = read_influences(document_, influences, piece.sources, piece.vertex_count,
                                           skin, piece.element, notices_);
         motion.influences.insert(motion.influences.end(), read.begin(), read.end());
-        motion.matrix_count += static_cast<uint32_t>(skin.joints.size());
-        mirrored = glm::determinant(
-                       glm::dmat3(node_to_world_[skin.joints[0]] * skin.inverse_bind[0])) < 0.0;
+        const auto [range, fresh] = skin_matrices_.try_emplace(instance.skin, motion.matrix_count);
+        part.first_matrix = range->second;
+        if (fresh)
+            take_matrices(skin.joints.size());
     } else {
-        motion.matrix_count += 1;
-        mirrored = glm::determinant(glm::dmat3(node_to_world_[instance.node])) < 0.0;
+        part.first_matrix = motion.matrix_count;
+        take_matrices(1);
     }
     const auto deltas = read_deltas(document_, piece);
     part.target_count =
@@ -297,7 +288,9 @@ void Writer::add_moving(const Piece& piece, const Instance& instance) {
     scene_.positions.resize(scene_.positions.size() + count);
     scene_.normals.resize(scene_.normals.size() + count);
     add_attributes(piece, nullptr);
-    add_triangles(piece, part.first_vertex, false, mirrored);
+    const size_t first_corner = scene_.indices.size();
+    add_triangles(piece, part.first_vertex, false, false);
+    turn_mirrored(part, first_corner);
 }
 
 } // namespace

@@ -58,8 +58,17 @@ uint32_t Materials::use(int material) {
     return found->second;
 }
 
+Materials::TextureKey Materials::key_of(int texture) const {
+    const tinygltf::Model& model = document_.model();
+    const tinygltf::Texture& source = model.textures[static_cast<size_t>(texture)];
+    if (source.sampler < 0)
+        return {source.source, TINYGLTF_TEXTURE_WRAP_REPEAT, TINYGLTF_TEXTURE_WRAP_REPEAT, -1};
+    const tinygltf::Sampler& sampler = model.samplers[static_cast<size_t>(source.sampler)];
+    return {source.source, sampler.wrapS, sampler.wrapT, sampler.magFilter};
+}
+
 int Materials::use_texture(int texture) {
-    const auto [found, fresh] = textures_.try_emplace(texture, -1);
+    const auto [found, fresh] = textures_.try_emplace(key_of(texture), -1);
     if (!fresh)
         return found->second;
     auto read = read_texture(document_, texture, budget_);
@@ -69,6 +78,9 @@ int Materials::use_texture(int texture) {
         return -1;
     }
     found->second = static_cast<int>(scene_.textures.size());
+    // Drawing makes smaller levels of it, and works on them as floats.
+    budget_.take(read->texels.size(), 8, fmt::format("textures[{}]", texture));
+    holes_.push_back(has_holes(*read));
     scene_.textures.push_back(std::move(*read));
     return found->second;
 }
@@ -97,8 +109,8 @@ Material Materials::read(size_t index) {
         if (source.alphaCutoff > 1.0)
             material.alpha = 0.0f;
     } else if (source.alphaMode == "BLEND") {
-        const bool holes = material.texture >= 0 &&
-                           has_holes(scene_.textures[static_cast<size_t>(material.texture)]);
+        const bool holes = material.texture >= 0 && holes_[static_cast<size_t>(material.texture)];
+        material.alpha = 1.0f; // glass with a picture on it is drawn, not left out
         if (holes)
             material.alpha_cutoff = 0.5f;
         notices_.add(element, holes ? "alphaMode BLEND is drawn as a mask at one half"

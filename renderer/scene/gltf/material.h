@@ -5,7 +5,9 @@
 #include "renderer/scene/gltf/notices.h"
 #include "renderer/scene/scene.h"
 
+#include <array>
 #include <map>
+#include <vector>
 
 namespace romascope::gltf {
 
@@ -31,12 +33,17 @@ private:
     Material read(size_t material);
     int use_texture(int texture);
 
+    /// Textures that show one picture in one way are one: its image, wrapS, wrapT, magFilter.
+    using TextureKey = std::array<int, 4>;
+    TextureKey key_of(int texture) const;
+
     const Document& document_;
     Scene& scene_;
     MemoryBudget& budget_;
     Notices& notices_;
     std::map<int, uint32_t> used_;
-    std::map<int, int> textures_; ///< of the file, to those of the scene
+    std::map<TextureKey, int> textures_; ///< index into Scene::textures; -1: cannot be read
+    std::vector<bool> holes_;            ///< per Scene::textures: some of it is transparent
 };
 
 } // namespace romascope::gltf

@@ -7,17 +7,20 @@
 #include <tiny_gltf.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
-#include <set>
 
 namespace romascope::gltf {
 namespace {
 
-std::string unique_name(const std::string& wanted, std::set<std::string>& taken) {
+/// Names of cameras, each with the number that its next namesake is tried with.
+using Names = std::map<std::string, size_t>;
+
+std::string unique_name(const std::string& wanted, Names& taken) {
     const std::string name = wanted.empty() ? "camera" : wanted;
     std::string candidate = name;
-    for (size_t n = 2; !taken.insert(candidate).second; ++n)
-        candidate = fmt::format("{}_{}", name, n);
+    while (!taken.try_emplace(candidate, 2).second)
+        candidate = fmt::format("{}_{}", name, taken[name]++);
     return candidate;
 }
 
@@ -46,6 +49,10 @@ std::optional<Camera> read_camera(const tinygltf::Model& model, const tinygltf::
     camera.up = glm::vec3(glm::normalize(up));
     camera.vertical_fov = static_cast<float>(fov);
     return camera;
+}
+
+bool is_known(const tinygltf::Light& light) {
+    return light.type == "directional" || light.type == "point" || light.type == "spot";
 }
 
 Light read_light(const tinygltf::Light& source, const glm::dmat4& world, const std::string& name,
@@ -92,7 +99,7 @@ int light_of(const tinygltf::Node& node) {
 void add_mounted(const Document& document, const Hierarchy& hierarchy,
                  const std::vector<glm::dmat4>& node_to_world, Scene& scene, Notices& notices) {
     const tinygltf::Model& model = document.model();
-    std::set<std::string> names;
+    Names names;
     for (uint32_t place = 0; place < hierarchy.nodes.size(); ++place) {
         if (!hierarchy.drawn[place])
             continue;
@@ -111,12 +118,16 @@ void add_mounted(const Document& document, const Hierarchy& hierarchy,
             }
         }
         if (const int light = light_of(node); light >= 0) {
-            if (hierarchy.moves[place])
-                scene.motion.lights.push_back({static_cast<uint32_t>(scene.lights.size()), place});
             const std::string name =
                 fmt::format("extensions.KHR_lights_punctual.lights[{}]", light);
-            scene.lights.push_back(read_light(model.lights[static_cast<size_t>(light)],
-                                              node_to_world[place], name, element));
+            const tinygltf::Light& source = model.lights[static_cast<size_t>(light)];
+            if (!is_known(source)) {
+                notices.add(name, "is of a type that is not known, and is left out");
+                continue;
+            }
+            if (hierarchy.moves[place])
+                scene.motion.lights.push_back({static_cast<uint32_t>(scene.lights.size()), place});
+            scene.lights.push_back(read_light(source, node_to_world[place], name, element));
             if (scene.lights.back().name.empty())
                 scene.lights.back().name = node.name;
         }

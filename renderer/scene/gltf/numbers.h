@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "renderer/scene/bounds.h"
 #include "renderer/scene/gltf/document.h"
 
 #include <fmt/format.h>
@@ -11,9 +12,6 @@
 #include <vector>
 
 namespace romascope::gltf {
-
-/// Metres. Products of two edges, squared, must stay below the largest float.
-inline constexpr double kMaxCoordinate = 1e9;
 
 /// `values` as N finite numbers, or `fallback` if empty. Throws Error (kBadInput).
 template <int N>

@@ -25,6 +25,12 @@ double largest(const glm::dvec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
+/// Not std::max, which would hide what is not a number.
+void raise(double& largest, double value) {
+    if (!(value <= largest))
+        largest = value;
+}
+
 /// Factor by which a matrix lengthens at most, and by how much it moves the origin, both a little
 /// too large.
 struct Stretch {
@@ -53,16 +59,15 @@ double reach(const Motion& motion) {
     }
     for (const Animation& animation : motion.animations)
         for (const MotionChannel& channel : animation.channels) {
-            const auto raise = [&](std::vector<double>& values, size_t width) {
-                values[channel.node] =
-                    std::max(values[channel.node], largest_value(channel, width));
+            const auto widen = [&](std::vector<double>& values, size_t width) {
+                raise(values[channel.node], largest_value(channel, width));
             };
             if (channel.path == MotionPath::translation)
-                raise(translation, 3);
+                widen(translation, 3);
             else if (channel.path == MotionPath::scale)
-                raise(scale, 3);
+                widen(scale, 3);
             else if (channel.path == MotionPath::weights)
-                raise(weights, motion.nodes[channel.node].weight_count);
+                widen(weights, motion.nodes[channel.node].weight_count);
         }
 
     std::vector<Stretch> world(motion.nodes.size());
@@ -74,12 +79,23 @@ double reach(const Motion& motion) {
         world[n] = {above.factor * own.factor, above.offset + above.factor * own.offset};
     }
 
+    // Per skin: a vertex `radius` from its mesh's origin comes no further than offset + factor
+    // radius.
+    std::vector<Stretch> skins;
+    for (const Skin& skin : motion.skins) {
+        Stretch whole{0.0, 0.0};
+        for (size_t j = 0; j < skin.joints.size(); ++j) {
+            const Stretch bind = stretch_of(skin.inverse_bind[j]);
+            const Stretch& joint = world[skin.joints[j]];
+            raise(whole.factor, joint.factor * bind.factor);
+            raise(whole.offset, joint.offset + joint.factor * bind.offset);
+        }
+        skins.push_back(whole);
+    }
+
     double furthest = 0.0;
     const auto consider = [&](const Stretch& place, double radius) {
-        // Not std::max, which would hide what is not a number.
-        const double distance = place.offset + place.factor * radius;
-        if (!(distance <= furthest))
-            furthest = distance;
+        raise(furthest, place.offset + place.factor * radius);
     };
     for (const Mount& mount : motion.cameras)
         consider(world[mount.node], 0.0);
@@ -94,15 +110,7 @@ double reach(const Motion& motion) {
         for (size_t d = 0; d < size_t{part.target_count} * part.vertex_count; ++d)
             delta = std::max(delta, largest(motion.deltas[part.first_delta + d].position));
         radius = 2.0 * (radius + delta * weights[part.node] * part.target_count);
-        if (part.skin < 0) {
-            consider(world[part.node], radius);
-            continue;
-        }
-        const Skin& skin = motion.skins[static_cast<size_t>(part.skin)];
-        for (size_t j = 0; j < skin.joints.size(); ++j) {
-            const Stretch bind = stretch_of(skin.inverse_bind[j]);
-            consider(world[skin.joints[j]], bind.offset + bind.factor * radius);
-        }
+        consider(part.skin < 0 ? world[part.node] : skins[static_cast<size_t>(part.skin)], radius);
     }
     return furthest;
 }
