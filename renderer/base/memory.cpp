@@ -100,7 +100,7 @@ void MemoryBudget::take(size_t count, size_t size, const std::string& what) {
     const double needed =
         static_cast<double>(taken_) + static_cast<double>(count) * static_cast<double>(size);
     throw Error(
-        fmt::format("{}: needs {} of memory in all, the limit is {}; raise --max-memory, "
+        fmt::format("{}: needs at least {} of memory, the limit is {}; raise --max-memory, "
                     "if there is more",
                     what,
                     needed < 0x1p63 ? format_bytes(static_cast<size_t>(needed)) : "more than 8 EiB",

@@ -25,7 +25,7 @@ class MemoryBudget {
 public:
     explicit MemoryBudget(size_t limit) : limit_(limit) {}
 
-    /// Throws Error (kBadInput) "WHAT: needs ... of memory in all, the limit is ...; raise
+    /// Throws Error (kBadInput) "WHAT: needs at least ... of memory, the limit is ...; raise
     /// --max-memory" if `count` times `size` more bytes exceed the limit; neither the product nor
     /// the sum can overflow.
     void take(size_t count, size_t size, const std::string& what);

@@ -50,13 +50,16 @@ private:
     const double* weights_;
 };
 
-/// Where a node's frame puts a camera or light, which look along -z. Directions stay as they are
-/// where the frame is squashed to none.
+/// Where a node's frame puts a camera or light, which look along -z. Where the frame is squashed to
+/// no direction, a camera (which has an `up`) stays as it is, a light keeps its direction.
 void place(const glm::dmat4& frame, glm::vec3& position, glm::vec3& forward, glm::vec3* up) {
     const glm::dvec3 ahead = -glm::dvec3(frame[2]);
     const glm::dvec3 above = glm::cross(glm::cross(ahead, glm::dvec3(frame[1])), ahead);
+    const bool squashed = !(glm::length(ahead) > 0.0) || (up && !(glm::length(above) > 0.0));
+    if (squashed && up)
+        return;
     position = glm::vec3(frame[3]);
-    if (!(glm::length(ahead) > 0.0) || (up && !(glm::length(above) > 0.0)))
+    if (squashed)
         return;
     forward = glm::vec3(glm::normalize(ahead));
     if (up)

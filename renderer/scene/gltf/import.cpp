@@ -67,6 +67,14 @@ Scene build(const Document& document, MemoryBudget& budget) {
 } // namespace gltf
 
 Scene load_gltf(const std::filesystem::path& path, size_t max_memory) {
+    std::error_code code;
+    if (std::filesystem::exists(path, code) && !std::filesystem::is_directory(path, code)) {
+        if (!std::filesystem::is_regular_file(path, code))
+            throw Error(path.string() + ": is not a plain file", kBadInput);
+        const auto size = std::filesystem::file_size(path, code);
+        if (!code) // before any of it is read
+            MemoryBudget(max_memory).take(size, 1, path.string() + ": the file");
+    }
     return import_gltf(read_text_file(path), path, max_memory);
 }
 

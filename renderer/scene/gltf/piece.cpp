@@ -204,6 +204,10 @@ std::optional<Piece> read_piece(const Document& document, size_t mesh, size_t pr
         notices.add(piece.element, "has no positions, and is left out");
         return std::nullopt;
     }
+    if (document.model().accessors[static_cast<size_t>(position)].bufferView < 0) {
+        notices.add(piece.element, "has all positions at 0, and is left out");
+        return std::nullopt;
+    }
     piece.vertex_count = document.model().accessors[static_cast<size_t>(position)].count;
     piece.corners = read_corners(document, source, piece, budget);
     if (piece.corners.empty())
