@@ -575,7 +575,7 @@ TEST(GltfMotion, a_camera_is_found_for_what_leaves_all_bounds_later) {
     for (const size_t node : {0, 1})
         file.animate(node, "translation", {0, 1}, {0, 0, 0, 8e8f, 0, 0}, "VEC3");
     EXPECT_EQ(load(file).cameras.size(), 1u);
-    file.node()["scale"] = {2e9, 1, 1};
+    file.root["nodes"][1]["scale"] = {2e9, 1, 1};
     EXPECT_CONTAINS(refusal(file), "animations[0]: moves, at second 0, a vertex beyond");
 }
 
