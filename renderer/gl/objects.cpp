@@ -7,8 +7,6 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstdlib>
-#include <memory>
 
 namespace romascope {
 namespace {
@@ -62,14 +60,8 @@ void delete_program(GLuint id) { glDeleteProgram(id); }
 void delete_query(GLuint id) { glDeleteQueries(1, &id); }
 
 Buffer::Buffer(const std::string& label, size_t bytes) {
-    // Not by glClearNamedBufferData: NVIDIA's driver (580.159) lets an upload of more than 64 KiB
-    // overtake it, and then clears what was uploaded. Pages of calloc that are only read take no
-    // memory.
-    const std::unique_ptr<void, decltype(&std::free)> zeros(
-        std::calloc(std::max<size_t>(bytes, 4), 1), std::free);
-    if (!zeros)
-        throw Error(fmt::format("not enough memory for '{}'", label));
-    create(label, bytes, zeros.get());
+    create(label, bytes, nullptr);
+    glClearNamedBufferData(id(), GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, nullptr);
 }
 
 Buffer::Buffer(const std::string& label, std::span<const std::byte> data) {
@@ -90,9 +82,14 @@ void Buffer::create(const std::string& label, size_t bytes, const void* data) {
 }
 
 void Buffer::upload(std::span<const std::byte> data, size_t offset) {
-    assert(offset + data.size() <= bytes_);
-    glNamedBufferSubData(id(), static_cast<GLintptr>(offset), static_cast<GLsizeiptr>(data.size()),
-                         data.data());
+    assert(offset + data.size() <= bytes_ && data.size() % 4 == 0);
+    if (data.empty())
+        return;
+    // Not by glNamedBufferSubData: while a buffer is new, NVIDIA's driver (580.159) lets that
+    // overtake commands before it that read the buffer or clear it. A copy stays in line.
+    const Buffer staging("upload", data);
+    glCopyNamedBufferSubData(staging.id(), id(), 0, static_cast<GLintptr>(offset),
+                             static_cast<GLsizeiptr>(data.size()));
 }
 
 void Buffer::download_bytes(std::span<std::byte> data) const {

@@ -57,6 +57,7 @@ public:
 
     GLuint id() const { return handle_.id(); }
     size_t bytes() const { return bytes_; }
+    /// Whole words. Commands before it see what was there, those after it what is new.
     void upload(std::span<const std::byte> data, size_t offset = 0);
     template <class T>
     std::vector<T> download() const {

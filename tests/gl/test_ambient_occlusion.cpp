@@ -148,6 +148,32 @@ TEST_F(AmbientOcclusionTest, TheSameSeedGivesTheSameBytes) {
     EXPECT_NE(render(scene, scene.cameras[0], 3).data, first.data);
 }
 
+TEST_F(AmbientOcclusionTest, DoesNotDependOnWhatElseIsInFlight) {
+    // Frames of a new pipeline wait behind those of another; what is uploaded for the second frame
+    // must not be seen by the first.
+    std::vector<glm::vec3> corners = rectangle({0, 0, 0}, {0.2f, 1, 0.1f}, 1.0f);
+    for (const glm::vec3& corner : rectangle({0.3f, 0.4f, 0}, {1, 0.3f, 0.2f}, 0.5f))
+        corners.push_back(corner);
+    const Scene scene = scene_of_triangles(corners);
+    Pipeline busy(scene, ShaderLibrary());
+    std::vector<Image> found;
+    for (int trial = 0; trial < 3; ++trial) {
+        Pipeline pipeline(scene, ShaderLibrary());
+        for (int i = 0; i < 2; ++i) {
+            busy.render(settings_, scene.cameras[0]);
+            pipeline.render(settings_, scene.cameras[0]);
+        }
+        found.push_back(pipeline.picture());
+    }
+    Pipeline calm(scene, ShaderLibrary());
+    for (int i = 0; i < 2; ++i) {
+        calm.render(settings_, scene.cameras[0]);
+        glFinish();
+    }
+    for (const Image& image : found)
+        EXPECT_TRUE(image.data == calm.picture().data);
+}
+
 TEST_F(AmbientOcclusionTest, AChangeOfSettingsStartsTheMeanAnew) {
     const Scene scene = scene_of_triangles(rectangle({0, 0, 0}, {0.2f, 1, 0.1f}, 1.0f));
     settings_.set(kRomaSampling, RomaSampling::snap);

@@ -123,7 +123,7 @@ TEST_F(DeformTest, EqualsTheCpuOnRandomScenes) {
 }
 
 TEST_F(DeformTest, FindsThePartOfEachVertex) {
-    for (const uint32_t count : {1u, 2u, 3u, 7u, 8u, 9u, 64u, 1000u}) {
+    for (const uint32_t count : {1u, 2u, 3u, 7u, 8u, 9u, 64u, 1000u, 3000u}) {
         SCOPED_TRACE(testing::Message() << count << " parts");
         MovingSceneBuilder builder;
         MovingSceneBuilder::Piece piece;
