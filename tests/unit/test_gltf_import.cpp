@@ -612,6 +612,16 @@ TEST(GltfMaterials, textures_of_one_picture_are_one) {
     EXPECT_EQ(scene.textures.size(), 2u);
 }
 
+TEST(GltfMemory, positions_without_data_are_one_point) {
+    GltfBuilder file;
+    file.add("accessors", {{"componentType", 5126}, {"count", 3'000'000'000u}, {"type", "VEC3"}});
+    file.add_mesh({{"POSITION", 0}});
+    file.add("nodes", {{"mesh", 0}, {"translation", {1, 2, 3}}});
+    const Scene scene = load(file, 1 << 20);
+    EXPECT_EQ(scene.triangle_count(), 1u);
+    EXPECT_EQ(scene.positions[0], glm::vec3(1, 2, 3));
+}
+
 TEST(GltfMemory, products_of_what_a_small_file_lists_are_bounded) {
     TriangleFile targets;
     targets.primitive()["targets"] = json(std::vector<json>(20000, json::object()));

@@ -204,12 +204,12 @@ std::optional<Piece> read_piece(const Document& document, size_t mesh, size_t pr
         notices.add(piece.element, "has no positions, and is left out");
         return std::nullopt;
     }
-    if (document.model().accessors[static_cast<size_t>(position)].bufferView < 0) {
-        notices.add(piece.element, "has all positions at 0, and is left out");
-        return std::nullopt;
-    }
     piece.vertex_count = document.model().accessors[static_cast<size_t>(position)].count;
-    piece.corners = read_corners(document, source, piece, budget);
+    // Without a view a few bytes of JSON stand for any number of points at 0; one shows them all.
+    if (document.model().accessors[static_cast<size_t>(position)].bufferView < 0)
+        piece.corners = {0, 0, 0};
+    else
+        piece.corners = read_corners(document, source, piece, budget);
     if (piece.corners.empty())
         return std::nullopt;
     budget.take(piece.corners.size(), 64, piece.element); // more than any vertex or index takes

@@ -33,6 +33,8 @@ MeshPlan plan_mesh(const tinygltf::Model& model, size_t mesh, const Materials& m
         size_t corners = primitive.indices < 0 ? vertices : count_of(model, primitive.indices);
         if (primitive.mode != TINYGLTF_MODE_TRIANGLES)
             corners = corners < 3 ? 0 : 3 * (corners - 2);
+        if (model.accessors[static_cast<size_t>(position->second)].bufferView < 0)
+            corners = std::min<size_t>(corners, 3); // all at one point, see read_piece
         const size_t used = std::min(vertices, corners);
         raise(plan.corners, corners);
         // Without normals each triangle has its own, and its own vertices.
