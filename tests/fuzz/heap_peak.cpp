@@ -5,8 +5,6 @@
 #if __has_feature(address_sanitizer)
 #define HAS_ALLOCATOR_HOOKS
 #endif
-#elif defined(__SANITIZE_ADDRESS__)
-#define HAS_ALLOCATOR_HOOKS
 #endif
 
 #ifdef HAS_ALLOCATOR_HOOKS

@@ -5,12 +5,12 @@
 
 namespace romascope::fuzz {
 
-/// Counts what this process takes from the heap, in builds with the address sanitizer.
+/// Counts what this process takes from the heap, in builds by clang with the address sanitizer.
 class HeapPeak {
 public:
     HeapPeak();
-    /// Largest number of bytes in use at once since then, over those in use before; 0 in builds
-    /// without the sanitizer.
+    /// Largest number of bytes in use at once since then, over those in use before; 0 in other
+    /// builds.
     size_t bytes() const;
 
 private:
