@@ -155,11 +155,11 @@ class HostileTest(helper.CliTest):
             with self.subTest(count):
                 self.refused("count.gltf", triangle_with(("accessors.0.count", count)),
                              "accessors[0]")
-        # No bytes are needed for these, as an accessor without a view is all zero.
+        # No bytes are needed for these, as an accessor without a view is all zero: one point.
         document = triangle_with(("accessors.0.count", 4_000_000_000))
         del document["accessors"][0]["bufferView"]
         del document["meshes"][0]["primitives"][0]["indices"]
-        self.refused("zeros.gltf", document, "more than 50000000 triangles")
+        self.drawn("zeros.gltf", document)
 
     def test_numbers_that_are_not_finite(self):
         for number in (math.nan, math.inf, -math.inf):
@@ -246,11 +246,8 @@ class HostileTest(helper.CliTest):
         result = self.attempt(name, "--max-memory", "4MiB")
         self.assertEqual(result.status, 2, result.stderr)
         self.assertRegex(result.stderr, r"\Aromascope: [^\n]*many.gltf: [^\n]*--max-memory[^\n]*\n\Z")
-        # A hundred million vertices of no bytes, drawn a million times: known before it is built.
-        vast = triangle_with(("accessors.0.count", 100_000_000))
-        del vast["accessors"][0]["bufferView"]
-        del vast["meshes"][0]["primitives"][0]["indices"]
-        vast["meshes"][0]["primitives"] *= 1000
-        vast["nodes"] = [{"mesh": 0} for _ in range(1000)]
-        vast["scenes"][0]["nodes"] = list(range(1000))
+        # Sixty million triangles by a file of half a megabyte, known before they are built.
+        vast = triangle_with(("nodes", [{"mesh": 0} for _ in range(20_000)]),
+                             ("scenes.0.nodes", list(range(20_000))))
+        vast["meshes"][0]["primitives"] *= 3000
         self.refused("vast.gltf", vast, "more than 50000000 triangles")
