@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <chrono>
+#include <deque>
+#include <string>
+
+namespace romascope {
+
+enum class Severity { info, notice, error };
+
+/// Something the user should know.
+struct Message {
+    Severity severity = Severity::info;
+    std::string text;
+    int times = 1;                              ///< how often in a row
+    std::chrono::steady_clock::time_point told; ///< last
+};
+
+/// What was told to the user, newest last: in the window and, line by line, on stderr.
+class Messages {
+public:
+    void tell(Severity severity, const std::string& text);
+    const std::deque<Message>& all() const { return all_; }
+    void clear() { all_.clear(); }
+
+private:
+    std::deque<Message> all_;
+};
+
+} // namespace romascope

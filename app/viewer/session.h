@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/scene_options.h"
+#include "app/viewer/messages.h"
+#include "app/viewer/playback.h"
+#include "app/viewer/viewpoint.h"
+#include "renderer/frame/pipeline.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace romascope {
+
+/// A scene, the frames it is seen in, and all that a user can change about them. Knows neither
+/// window nor widgets. All of its state that decides what is seen is Settings: `romascope render`
+/// with the same ones gives the same picture.
+///
+/// Nothing here throws for what a user does: a scene that cannot be loaded, a value out of its
+/// range or a shader that does not compile is told, and what was there before stays.
+class Session {
+public:
+    /// `shaders`: a folder to read them from; empty: those in the program. Needs a current context.
+    Session(Settings settings, const std::filesystem::path& shaders, SceneOptions memory,
+            Messages& messages);
+
+    // --- Scene.
+
+    /// Another scene: a file, or a built-in one by its name. False, and the old one stays, if it
+    /// cannot be loaded. What the settings name and the new scene lacks is reset.
+    bool open(const std::string& file_or_name);
+    bool has_scene() const { return loaded_ != nullptr; }
+    const Scene& scene() const { return loaded_->scene; }
+    const std::filesystem::path& scene_file() const { return loaded_->file; }
+
+    // --- Settings. They count from the next frame on.
+
+    const Settings& settings() const { return settings_; }
+    /// False, and nothing changes, for a value out of the knob's range, which is told.
+    bool set(const KnobBase& knob, const KnobValue& value);
+    template <class T>
+    bool set(const Knob<T>& knob, std::type_identity_t<T> value) {
+        return set(static_cast<const KnobBase&>(knob), knob.to_value(std::move(value)));
+    }
+    void reset(const KnobBase& knob);
+    /// All but where one stands (camera, time) and the size of the picture.
+    void reset_all();
+    /// The value that reset() gives: the knob's default; for render.frames one that suits a window.
+    KnobValue reset_value(const KnobBase& knob) const;
+    /// All values of a technique, over the values there are.
+    void choose_technique(const std::string& name);
+    /// The technique that was chosen last; empty if none was.
+    const std::string& technique() const { return technique_; }
+
+    // --- Camera.
+
+    Camera camera() const;
+    /// The camera as something to move; see set_viewpoint.
+    Viewpoint viewpoint() const;
+    void set_viewpoint(const Viewpoint& viewpoint);
+    /// A camera of the scene, counted from 0; nothing happens if it has fewer.
+    void choose_camera(size_t index);
+    /// All of the scene, from in front.
+    void fit_view();
+
+    // --- Time.
+
+    bool is_animated() const;
+    /// Seconds of the animation that plays; 0 if none does.
+    double duration() const;
+    const Playback& playback() const { return playback_; }
+    void play(bool on) { playback_.play(on && is_animated()); }
+    /// Lets `elapsed` seconds pass.
+    void advance(double elapsed);
+
+    // --- Frames.
+
+    /// The size of the window in pixels, which the picture follows unless a size was set by hand.
+    void set_window_size(glm::ivec2 pixels);
+    bool follows_window() const { return follows_window_; }
+    void follow_window(bool on);
+
+    /// Draws a frame, unless the picture is at rest. True if it drew one.
+    ///
+    /// A change starts the mean anew. Once nothing changes, the random sequences start at their
+    /// beginning, so that the picture after n frames is what `romascope render --frames n` gives;
+    /// it rests after `render.frames` of them.
+    bool draw();
+    /// Whether draw() has nothing to do.
+    bool at_rest() const;
+    /// Frames in the picture.
+    uint32_t frame_count() const;
+    /// Looks whether shaders on disk have changed. True if they have.
+    bool reload_shaders();
+    /// What was drawn last; null before the first frame.
+    Pipeline* pipeline() { return loaded_ ? &loaded_->pipeline : nullptr; }
+    /// Whether the last attempt to draw failed; why is among the messages.
+    bool failed() const { return failed_; }
+
+    const ShaderLibrary& shaders() const { return shaders_; }
+    const SceneOptions& memory() const { return memory_; }
+    Messages& messages() { return messages_; }
+
+private:
+    struct Loaded {
+        Loaded(std::filesystem::path from, Scene content, const ShaderLibrary& shaders)
+            : file(std::move(from)), scene(std::move(content)), pipeline(scene, shaders) {}
+        std::filesystem::path file;
+        Scene scene;
+        Pipeline pipeline;
+    };
+    void drop_foreign_names(const Scene& scene);
+    bool try_draw(const Settings& frame_settings);
+    Settings frame_settings() const;
+
+    Settings settings_;
+    ShaderLibrary shaders_;
+    SceneOptions memory_;
+    Messages& messages_;
+    std::string technique_;
+    std::unique_ptr<Loaded> loaded_;
+    Playback playback_;
+    glm::ivec2 window_size_{0};
+    bool follows_window_ = true;
+
+    std::optional<Settings> drawn_; ///< of the last attempt to draw
+    int changes_in_a_row_ = 0;
+    bool failed_ = false;
+};
+
+/// Frames after which the picture rests, unless told otherwise.
+inline constexpr int kFramesToRest = 1024;
+
+} // namespace romascope
