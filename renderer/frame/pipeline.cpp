@@ -90,6 +90,14 @@ void Pipeline::restart() {
     frame_ = 0;
 }
 
+bool Pipeline::reload_shaders() {
+    if (!shaders_.refresh())
+        return false;
+    mean_.reset();
+    pose_ = {}; // deformed anew
+    return true;
+}
+
 void Pipeline::render(const Settings& settings, const Camera& camera) {
     restart_on_change(settings, camera);
     const FrameContext frame{

@@ -34,6 +34,14 @@ public:
     /// The mean as it stands: 1 channel for ambient occlusion, 3 for other views; linear.
     Image picture() const;
 
+    /// Follows the files of a shader folder: if any changed, the mean starts anew, and true. What
+    /// no longer compiles goes on as it was; see take_shader_faults() after the next frame.
+    bool reload_shaders();
+    /// Why programs could not follow their files, since the last call. Each change of the files
+    /// brings up again what is still at fault, so older messages can be forgotten then. A message
+    /// has as many lines as the driver gave.
+    std::vector<std::string> take_shader_faults() { return shaders_.take_faults(); }
+
     PassTimer& timer() { return timer_; }
     std::vector<StructureBytes> bytes() const;
 

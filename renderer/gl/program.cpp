@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/gl/program.h"
 
-#include "renderer/base/error.h"
-
 #include <fmt/format.h>
 
 #include <glm/gtc/type_ptr.hpp>
@@ -31,9 +29,8 @@ void delete_shader(GLuint id) { glDeleteShader(id); }
 
 using ShaderHandle = GlHandle<delete_shader>;
 
-ShaderHandle compile(const ShaderLibrary& library, const ShaderVariant& variant,
-                     const ShaderStage& stage) {
-    const ExpandedShader source = library.expand(variant, stage);
+ShaderHandle compile(const ShaderVariant& variant, const ShaderStage& stage,
+                     const ExpandedShader& source) {
     ShaderHandle shader(glCreateShader(stage.type));
     const char* text = source.text.c_str();
     glShaderSource(shader.id(), 1, &text, nullptr);
@@ -46,20 +43,28 @@ ShaderHandle compile(const ShaderLibrary& library, const ShaderVariant& variant,
     return shader;
 }
 
+std::string file_names(const ShaderVariant& variant) {
+    std::vector<std::string> names;
+    for (const ShaderStage& stage : variant.stages)
+        names.push_back(stage.file);
+    return fmt::format("{}", fmt::join(names, ", "));
+}
+
 } // namespace
 
-Program::Program(const ShaderLibrary& library, const ShaderVariant& variant)
+Program::Program(const ShaderVariant& variant, const std::vector<ExpandedShader>& sources)
     : handle_(glCreateProgram()) {
     std::vector<ShaderHandle> shaders;
-    for (const ShaderStage& stage : variant.stages) {
-        shaders.push_back(compile(library, variant, stage));
+    for (size_t i = 0; i < sources.size(); ++i) {
+        shaders.push_back(compile(variant, variant.stages[i], sources[i]));
         glAttachShader(id(), shaders.back().id());
     }
     glLinkProgram(id());
     GLint ok = 0;
     glGetProgramiv(id(), GL_LINK_STATUS, &ok);
     if (!ok)
-        throw Error(fmt::format("shader '{}' does not link: {}", variant.name, log_of(id(), true)));
+        throw Error(fmt::format("shader '{}' ({}) does not link: {}", variant.name,
+                                file_names(variant), log_of(id(), true)));
     for (const ShaderHandle& shader : shaders)
         glDetachShader(id(), shader.id());
     if (variant.stages.front().type == GL_COMPUTE_SHADER)
@@ -94,12 +99,48 @@ void Program::set(const char* name, const glm::mat4& value) const {
     glProgramUniformMatrix4fv(id(), location(name), 1, GL_FALSE, glm::value_ptr(value));
 }
 
+GLint Program::location(const char* name) const {
+    const auto known = locations_.find(std::string_view(name));
+    if (known != locations_.end())
+        return known->second;
+    return locations_.emplace(name, glGetUniformLocation(id(), name)).first->second;
+}
+
 const Program& ProgramSlot::get(const ShaderLibrary& library, const ShaderVariant& variant) {
-    if (variant_ != variant) {
-        program_ = Program(library, variant); // throws with the old program still in place
-        variant_ = variant;
-    }
+    if (variant_ != variant)
+        compile(library, variant); // throws with the old program still in place
+    else if (generation_ != library.generation())
+        follow_files(library);
     return program_;
+}
+
+void ProgramSlot::compile(const ShaderLibrary& library, const ShaderVariant& variant) {
+    if (refusal_ && refusal_->generation == library.generation() && refusal_->variant == variant)
+        throw refusal_->error;
+    try {
+        std::vector<ExpandedShader> sources = library.expand(variant);
+        program_ = Program(variant, sources);
+        sources_ = std::move(sources);
+    } catch (const Error& error) {
+        refusal_ = {variant, library.generation(), error};
+        throw;
+    }
+    variant_ = variant;
+    generation_ = library.generation();
+    refusal_.reset();
+}
+
+void ProgramSlot::follow_files(const ShaderLibrary& library) {
+    generation_ = library.generation();
+    try {
+        std::vector<ExpandedShader> sources = library.expand(*variant_);
+        if (sources == sources_)
+            return;
+        program_ = Program(*variant_, sources);
+        sources_ = std::move(sources);
+    } catch (const Error& error) {
+        library.add_fault(error.what());
+    }
 }
 
 } // namespace romascope

@@ -11,6 +11,7 @@
 #include <charconv>
 #include <regex>
 #include <sstream>
+#include <utility>
 
 namespace romascope {
 namespace {
@@ -27,6 +28,46 @@ std::string included_path(const std::string& line) {
 
 } // namespace
 
+void ShaderLibrary::add(const std::string& file, const std::string& text) {
+    added_[file] = text;
+    ++shared_->generation;
+}
+
+bool ShaderLibrary::refresh() {
+    bool changed = false;
+    for (auto& [file, seen] : shared_->seen) {
+        const std::optional<Stamp> now = stamp(file);
+        changed = changed || now != seen;
+        seen = now;
+    }
+    if (changed)
+        ++shared_->generation;
+    return changed;
+}
+
+void ShaderLibrary::add_fault(const std::string& what) const {
+    if (std::ranges::find(shared_->faults, what) == shared_->faults.end())
+        shared_->faults.push_back(what);
+}
+
+std::vector<std::string> ShaderLibrary::take_faults() const {
+    return std::exchange(shared_->faults, {});
+}
+
+std::optional<ShaderLibrary::Stamp> ShaderLibrary::stamp(const std::string& file) const {
+    std::error_code time_code, size_code;
+    const Stamp found{std::filesystem::last_write_time(folder_ / file, time_code),
+                      std::filesystem::file_size(folder_ / file, size_code)};
+    return time_code || size_code ? std::nullopt : std::optional(found);
+}
+
+std::vector<ExpandedShader> ShaderLibrary::expand(const ShaderVariant& variant) const {
+    std::vector<ExpandedShader> stages;
+    for (const ShaderStage& stage : variant.stages)
+        stages.push_back(expand(variant, stage));
+    return stages;
+}
+
 ExpandedShader ShaderLibrary::expand(const ShaderVariant& variant, const ShaderStage& stage) const {
     ExpandedShader out;
     out.text = "#version 450 core\n";
@@ -39,8 +80,12 @@ ExpandedShader ShaderLibrary::expand(const ShaderVariant& variant, const ShaderS
 std::string ShaderLibrary::read(const std::string& file) const {
     if (const auto own = added_.find(file); own != added_.end())
         return own->second;
-    if (!folder_.empty())
+    if (!folder_.empty()) {
+        // Before it is read: what changes in between is seen at the next look. Only refresh() moves
+        // a stamp on, as programs of the older text may be in use.
+        shared_->seen.try_emplace(file, stamp(file));
         return read_text_file(folder_ / file);
+    }
     const auto found = embedded_shaders().find(file);
     if (found == embedded_shaders().end())
         throw Error("there is no such shader file");
