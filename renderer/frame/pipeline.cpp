@@ -112,10 +112,10 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     gbuffer_.draw(frame, view);
     tracer_->build(frame);
     ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
-    composed_ = settings.get(kView) != PictureKind::ambient_occlusion;
-    if (composed_)
+    const bool composed = settings.get(kView) != PictureKind::ambient_occlusion;
+    if (composed)
         compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
-    mean_.add(frame, composed_ ? compose_.picture() : ambient_occlusion_.visibility());
+    mean_.add(frame, composed ? compose_.picture() : ambient_occlusion_.visibility());
     ++frame_;
     timer_.collect();
     check_gl_error("the frame");
@@ -123,7 +123,7 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
 
 Image Pipeline::picture() const {
     const glm::ivec3 size = mean_.mean().size();
-    Image image(size.x, size.y, composed_ ? 3 : 1);
+    Image image(size.x, size.y, mean_.mean().format() == GL_RGBA32F ? 3 : 1);
     image.data = mean_.mean().download_float(image.channels);
     return image;
 }
@@ -137,9 +137,9 @@ std::vector<StructureBytes> Pipeline::bytes() const {
         for (const StructureBytes& structure : tracer_->bytes())
             all.push_back(structure);
     all.push_back(ambient_occlusion_.bytes());
-    if (composed_)
-        all.push_back(compose_.bytes());
-    all.push_back(mean_.bytes());
+    for (const StructureBytes& picture : {compose_.bytes(), mean_.bytes(), present_.bytes()})
+        if (picture.bytes > 0)
+            all.push_back(picture);
     return all;
 }
 

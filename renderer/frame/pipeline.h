@@ -6,6 +6,7 @@
 #include "renderer/image/image.h"
 #include "renderer/passes/compose.h"
 #include "renderer/passes/deform.h"
+#include "renderer/passes/present.h"
 #include "renderer/reuse/running_mean.h"
 
 namespace romascope {
@@ -34,6 +35,10 @@ public:
     /// The mean as it stands: 1 channel for ambient occlusion, 3 for other views; linear.
     Image picture() const;
 
+    /// picture() as a screen shows it, see Present: RGBA8, row 0 at the top, without texels before
+    /// the first frame. Made anew by each call; show() brings it to a window.
+    const Texture& shown() { return present_.run(shaders_, timer_, mean_.mean()); }
+
     /// Follows the files of a shader folder: if any changed, the mean starts anew, and true. What
     /// no longer compiles goes on as it was; see take_shader_faults() after the next frame.
     bool reload_shaders();
@@ -61,10 +66,10 @@ private:
     SceneLights lights_;
     Compose compose_;
     RunningMean mean_;
+    Present present_;
     std::optional<Settings> last_settings_;
     Camera last_camera_;
     uint32_t frame_ = 0; ///< in the random sequences
-    bool composed_ = false;
 };
 
 /// The camera that the settings name: of the scene as it stands in that pose, or spelled out.

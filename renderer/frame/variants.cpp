@@ -53,6 +53,7 @@ std::vector<ShaderVariant> all_shader_variants() {
     for (const bool detail : {false, true})
         add(GBuffer::variant(detail, false));
     add(GBuffer::variant(true, true));
+    add(Present::variant());
     add(RunningMean::variant(GL_R32F));
     add(RunningMean::variant(GL_RGBA32F));
     for (const Settings& settings : settings_to_try()) {

@@ -35,6 +35,7 @@ size_t bytes_per_texel(GLenum format) {
         return 2;
     case GL_R32UI:
     case GL_R32F:
+    case GL_RGBA8:
     case GL_SRGB8_ALPHA8:
     case GL_R11F_G11F_B10F:
     case GL_DEPTH_COMPONENT32F:

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/image/color.h"
 
-#include <array>
+#include <bit>
 #include <cmath>
 
 namespace romascope {
@@ -18,6 +18,23 @@ std::array<float, 256> make_decode_table() {
     return table;
 }
 
+/// By halving: positive floats are ordered as their bits are, and encoding keeps the order.
+float smallest_encoded_as(uint8_t code) {
+    uint32_t below = 0, from = std::bit_cast<uint32_t>(1.0f);
+    while (from - below > 1) {
+        const uint32_t middle = below + (from - below) / 2;
+        (encode_srgb8(std::bit_cast<float>(middle)) < code ? below : from) = middle;
+    }
+    return std::bit_cast<float>(from);
+}
+
+std::array<float, 256> make_thresholds() {
+    std::array<float, 256> thresholds{}; // the first is 0
+    for (size_t code = 1; code < thresholds.size(); ++code)
+        thresholds[code] = smallest_encoded_as(static_cast<uint8_t>(code));
+    return thresholds;
+}
+
 } // namespace
 
 float encode_srgb(float linear) {
@@ -32,6 +49,11 @@ uint8_t encode_srgb8(float linear) {
     if (linear >= 1)
         return 255;
     return static_cast<uint8_t>(encode_srgb(linear) * 255 + 0.5f);
+}
+
+const std::array<float, 256>& srgb8_thresholds() {
+    static const std::array<float, 256> thresholds = make_thresholds();
+    return thresholds;
 }
 
 float decode_srgb8(uint8_t encoded) {

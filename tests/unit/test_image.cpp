@@ -102,6 +102,15 @@ std::string plain_png(uint32_t width, uint32_t height, char bits, char color_typ
            chunk("IDAT", "\x78\x01\x01" + length + rows + big_endian(0)) + chunk("IEND", "");
 }
 
+TEST(Color, ThresholdsAreWhereTheCodeChanges) {
+    EXPECT_EQ(srgb8_thresholds()[0], 0.0f);
+    for (int code = 1; code < 256; ++code) {
+        const float threshold = srgb8_thresholds()[static_cast<size_t>(code)];
+        EXPECT_EQ(encode_srgb8(threshold), code);
+        EXPECT_EQ(encode_srgb8(std::nextafter(threshold, 0.0f)), code - 1);
+    }
+}
+
 TEST(Color, KnownValues) {
     EXPECT_FLOAT_EQ(encode_srgb(0), 0);
     EXPECT_FLOAT_EQ(encode_srgb(1), 1);
