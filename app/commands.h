@@ -13,6 +13,7 @@ namespace romascope {
 
 using Command = std::function<int()>; ///< returns the exit status
 
+Command add_view_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_sheet_command(CLI::App& app);

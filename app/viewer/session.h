@@ -23,13 +23,16 @@ namespace romascope {
 class Session {
 public:
     /// `shaders`: a folder to read them from; empty: those in the program. Needs a current context.
-    Session(Settings settings, const std::filesystem::path& shaders, SceneOptions memory,
+    Session(Settings settings, std::filesystem::path shaders, SceneOptions memory,
             Messages& messages);
 
     // --- Scene.
 
+    /// Shows a scene that was loaded from that file. Throws Error if it lacks what the settings
+    /// name, or if there is no memory for its frames; then the old one stays.
+    void show(const std::filesystem::path& file, Scene scene);
     /// Another scene: a file, or a built-in one by its name. False, and the old one stays, if it
-    /// cannot be loaded. What the settings name and the new scene lacks is reset.
+    /// cannot be loaded. Camera and time start anew.
     bool open(const std::string& file_or_name);
     bool has_scene() const { return loaded_ != nullptr; }
     const Scene& scene() const { return loaded_->scene; }
@@ -91,17 +94,22 @@ public:
     /// Whether draw() has nothing to do.
     bool at_rest() const;
     /// Frames in the picture.
-    uint32_t frame_count() const;
-    /// Looks whether shaders on disk have changed. True if they have.
+    uint32_t frame_count() const { return frames_; }
+    /// Looks whether shaders on disk have changed. True if they have. A program that does not
+    /// compile is told, and the one before it stays in use.
     bool reload_shaders();
     /// What was drawn last; null before the first frame.
     Pipeline* pipeline() { return loaded_ ? &loaded_->pipeline : nullptr; }
     /// Whether the last attempt to draw failed; why is among the messages.
     bool failed() const { return failed_; }
 
-    const ShaderLibrary& shaders() const { return shaders_; }
-    const SceneOptions& memory() const { return memory_; }
-    Messages& messages() { return messages_; }
+    /// Refuses frames that would take more memory than is left; see check_memory. Throws Error.
+    void check_memory_for(const Settings& settings) const { check_memory_for(scene(), settings); }
+    /// The folder that shaders are read from; empty: the program itself.
+    const std::filesystem::path& shader_folder() const { return shader_folder_; }
+    ShaderLibrary library() const {
+        return shader_folder_.empty() ? ShaderLibrary() : ShaderLibrary(shader_folder_);
+    }
 
 private:
     struct Loaded {
@@ -111,12 +119,13 @@ private:
         Scene scene;
         Pipeline pipeline;
     };
-    void drop_foreign_names(const Scene& scene);
-    bool try_draw(const Settings& frame_settings);
+    void tell_error(const std::string& text) { messages_.tell(Severity::error, text); }
+    void check_memory_for(const Scene& scene, const Settings& settings) const;
+    bool try_draw(const Settings& wanted, bool structures_changed);
     Settings frame_settings() const;
 
     Settings settings_;
-    ShaderLibrary shaders_;
+    std::filesystem::path shader_folder_;
     SceneOptions memory_;
     Messages& messages_;
     std::string technique_;
@@ -126,8 +135,11 @@ private:
     bool follows_window_ = true;
 
     std::optional<Settings> drawn_; ///< of the last attempt to draw
+    uint32_t frames_ = 0;           ///< in the picture
     int changes_in_a_row_ = 0;
     bool failed_ = false;
+    Viewpoint viewpoint_;        ///< what viewpoint_text_ was made of
+    std::string viewpoint_text_; ///< what render.camera was set to; empty: nothing yet
 };
 
 /// Frames after which the picture rests, unless told otherwise.

@@ -29,6 +29,17 @@ std::string write_bytes(const fs::path& path, std::span<const std::byte> bytes) 
     return out ? std::string() : last_reason();
 }
 
+fs::path user_directory(const char* variable, const char* below_home) {
+    // The XDG specification: a relative path counts as none.
+    if (const char* folder = std::getenv(variable); folder && *folder == '/')
+        return fs::path(folder) / "romascope";
+    if (const char* home = std::getenv("HOME"); home && *home)
+        return fs::path(home) / below_home / "romascope";
+    std::error_code code;
+    const fs::path temporary = fs::temp_directory_path(code);
+    return (code ? fs::path("/tmp") : temporary) / ("romascope-" + std::to_string(getuid()));
+}
+
 } // namespace
 
 std::string read_text_file(const fs::path& path) {
@@ -95,15 +106,8 @@ void write_file_atomically(const fs::path& path, const std::string& text) {
     write_file_atomically(path, std::as_bytes(std::span(text)));
 }
 
-fs::path cache_directory() {
-    // The XDG specification: a relative path counts as none.
-    if (const char* cache = std::getenv("XDG_CACHE_HOME"); cache && *cache == '/')
-        return fs::path(cache) / "romascope";
-    if (const char* home = std::getenv("HOME"); home && *home)
-        return fs::path(home) / ".cache" / "romascope";
-    std::error_code code;
-    const fs::path temporary = fs::temp_directory_path(code);
-    return (code ? fs::path("/tmp") : temporary) / ("romascope-" + std::to_string(getuid()));
-}
+fs::path cache_directory() { return user_directory("XDG_CACHE_HOME", ".cache"); }
+fs::path config_directory() { return user_directory("XDG_CONFIG_HOME", ".config"); }
+fs::path state_directory() { return user_directory("XDG_STATE_HOME", ".local/state"); }
 
 } // namespace romascope

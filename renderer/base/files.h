@@ -17,8 +17,13 @@ std::string read_text_file(const std::filesystem::path& path);
 void write_file_atomically(const std::filesystem::path& path, std::span<const std::byte> bytes);
 void write_file_atomically(const std::filesystem::path& path, const std::string& text);
 
-/// `$XDG_CACHE_HOME/romascope` if that is absolute, or `~/.cache/romascope`; not created.
-/// Without a home directory: a folder of this user below the system's temporary directory.
+/// Where this user's files go, by the XDG base directory specification: `$XDG_CACHE_HOME/romascope`
+/// if that is absolute, or `~/.cache/romascope`; not created. Without a home directory: a folder of
+/// this user below the system's temporary directory.
 std::filesystem::path cache_directory();
+/// The same of `$XDG_CONFIG_HOME` or `~/.config`: what the user has set.
+std::filesystem::path config_directory();
+/// The same of `$XDG_STATE_HOME` or `~/.local/state`: what the program remembers.
+std::filesystem::path state_directory();
 
 } // namespace romascope

@@ -23,28 +23,6 @@ std::string renderer_line() {
     return fmt::format("OpenGL {}, {}", gl_string(GL_VERSION), gl_string(GL_RENDERER));
 }
 
-/// Throws Error if the current context is older than 4.5, naming what it lacks.
-void require_version() {
-    if (GLAD_GL_VERSION_4_5)
-        return;
-    GLint count = 0;
-    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
-    std::vector<std::string> missing = {"ARB_compute_shader",
-                                        "ARB_shader_image_load_store",
-                                        "ARB_shader_storage_buffer_object",
-                                        "ARB_framebuffer_no_attachments",
-                                        "ARB_buffer_storage",
-                                        "ARB_clip_control",
-                                        "ARB_direct_state_access"};
-    for (GLint i = 0; i < count; ++i) {
-        const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
-        std::erase(missing, reinterpret_cast<const char*>(extension) + 3);
-    }
-    throw Error(
-        fmt::format("OpenGL 4.5 core is needed, the driver offers {}{}", renderer_line(),
-                    missing.empty() ? "" : fmt::format(" and lacks {}", fmt::join(missing, ", "))));
-}
-
 /// A way to get a context, in the order in which `automatic` tries them.
 struct Candidate {
     std::string name;
@@ -129,6 +107,27 @@ std::unique_ptr<Context> context_of_device(int index, bool debug, std::string* s
 }
 
 } // namespace
+
+void require_version() {
+    if (GLAD_GL_VERSION_4_5)
+        return;
+    GLint count = 0;
+    glGetIntegerv(GL_NUM_EXTENSIONS, &count);
+    std::vector<std::string> missing = {"ARB_compute_shader",
+                                        "ARB_shader_image_load_store",
+                                        "ARB_shader_storage_buffer_object",
+                                        "ARB_framebuffer_no_attachments",
+                                        "ARB_buffer_storage",
+                                        "ARB_clip_control",
+                                        "ARB_direct_state_access"};
+    for (GLint i = 0; i < count; ++i) {
+        const GLubyte* extension = glGetStringi(GL_EXTENSIONS, static_cast<GLuint>(i));
+        std::erase(missing, reinterpret_cast<const char*>(extension) + 3);
+    }
+    throw Error(
+        fmt::format("OpenGL 4.5 core is needed, the driver offers {}{}", renderer_line(),
+                    missing.empty() ? "" : fmt::format(" and lacks {}", fmt::join(missing, ", "))));
+}
 
 const std::vector<std::string>& backend_names() {
     static const std::vector<std::string> names = {"auto", "window", "egl", "osmesa"};

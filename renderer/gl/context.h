@@ -55,6 +55,9 @@ protected:
 std::unique_ptr<Context> create_context(const ContextRequest& request,
                                         std::string* story = nullptr);
 
+/// Throws Error if the current context is older than 4.5, naming what it lacks.
+void require_version();
+
 /// What a backend offers, found by trying it.
 struct BackendState {
     std::string name; ///< e.g. "egl device 1"

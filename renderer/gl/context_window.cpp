@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/base/error.h"
 #include "renderer/gl/context_backends.h"
+#include "renderer/gl/gl_window.h"
 
 #include <glad/gl.h>
 
@@ -20,44 +21,53 @@ std::string last_glfw_error() {
 
 class WindowContext final : public Context {
 public:
-    explicit WindowContext(bool debug) {
-        if (!glfwInit())
-            throw Error(last_glfw_error());
-        for (const auto& [major, minor] : kGlVersions) {
-            glfwDefaultWindowHints();
-            glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
-            glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
-            glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
-            glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
-            glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, debug);
-            window_ = glfwCreateWindow(64, 64, "romascope", nullptr, nullptr);
-            if (window_)
-                break;
-        }
-        if (!window_) {
-            const std::string why = last_glfw_error();
-            glfwTerminate();
-            throw Error(fmt::format("no OpenGL 4.5 core context: {}", why));
-        }
-        glfwMakeContextCurrent(window_);
-        if (!gladLoadGL(glfwGetProcAddress)) {
-            glfwTerminate();
-            throw Error("the OpenGL functions cannot be loaded");
-        }
-    }
-    ~WindowContext() override {
-        glfwDestroyWindow(window_);
-        glfwTerminate();
-    }
+    explicit WindowContext(bool debug)
+        : window_(open_gl_window({.title = "romascope", .debug = debug})) {}
+    ~WindowContext() override { close_gl_window(window_); }
 
     Backend backend() const override { return Backend::window; }
     std::string description() const override { return "a hidden GLFW window"; }
 
 private:
-    GLFWwindow* window_ = nullptr;
+    GLFWwindow* window_;
 };
 
 } // namespace
+
+GLFWwindow* open_gl_window(const GlWindowRequest& request) {
+    if (!glfwInit())
+        throw Error(last_glfw_error());
+    GLFWwindow* window = nullptr;
+    for (const auto& [major, minor] : kGlVersions) {
+        glfwDefaultWindowHints();
+        glfwWindowHint(GLFW_VISIBLE, GLFW_FALSE);
+        glfwWindowHint(GLFW_SCALE_TO_MONITOR, request.scale_to_monitor);
+        glfwWindowHint(GLFW_DEPTH_BITS, 0);
+        glfwWindowHint(GLFW_STENCIL_BITS, 0);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, major);
+        glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, minor);
+        glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+        glfwWindowHint(GLFW_OPENGL_DEBUG_CONTEXT, request.debug);
+        window = glfwCreateWindow(request.size.x, request.size.y, request.title, nullptr, nullptr);
+        if (window)
+            break;
+    }
+    const auto fail = [](const std::string& why) {
+        glfwTerminate();
+        throw Error(why);
+    };
+    if (!window)
+        fail(fmt::format("no OpenGL 4.5 core context: {}", last_glfw_error()));
+    glfwMakeContextCurrent(window);
+    if (!gladLoadGL(glfwGetProcAddress))
+        fail("the OpenGL functions cannot be loaded");
+    return window;
+}
+
+void close_gl_window(GLFWwindow* window) {
+    glfwDestroyWindow(window);
+    glfwTerminate();
+}
 
 std::unique_ptr<Context> create_window_context(bool debug) {
     return std::make_unique<WindowContext>(debug);

@@ -66,14 +66,20 @@ PassTimer::Scope::~Scope() {
         glFinish();
         const std::chrono::duration<double, std::milli> taken =
             std::chrono::steady_clock::now() - begin_;
-        timer_.timings_[pass_].milliseconds.push_back(taken.count());
+        timer_.record(pass_, taken.count());
     }
 }
 
 void PassTimer::clear() {
     finish();
-    for (PassTiming& timing : timings_)
-        timing.milliseconds.clear();
+    timings_.clear();
+}
+
+void PassTimer::record(size_t pass, double milliseconds) {
+    std::vector<double>& times = timings_[pass].milliseconds;
+    times.push_back(milliseconds);
+    if (kept_ > 0 && times.size() > kept_)
+        times.erase(times.begin(), times.end() - static_cast<std::ptrdiff_t>(kept_));
 }
 
 size_t PassTimer::index_of(const std::string& pass, bool rasterises) {
@@ -106,7 +112,7 @@ void PassTimer::collect(bool wait) {
         GLuint64 begin = 0, end = 0;
         glGetQueryObjectui64v(front.queries[0].id(), GL_QUERY_RESULT, &begin);
         glGetQueryObjectui64v(front.queries[1].id(), GL_QUERY_RESULT, &end);
-        timings_[front.pass].milliseconds.push_back(static_cast<double>(end - begin) * 1e-6);
+        record(front.pass, static_cast<double>(end - begin) * 1e-6);
         for (GlHandle<delete_query>& query : front.queries)
             free_queries_.push_back(std::move(query));
         pending_.pop_front();

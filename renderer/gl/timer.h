@@ -67,6 +67,8 @@ public:
     void finish() { collect(true); }
     /// Forgets what was measured, e.g. after warming up.
     void clear();
+    /// Keeps no more than so many of the latest times of each pass; 0: all.
+    void keep_latest(size_t count) { kept_ = count; }
 
     /// In the order in which the passes first ran.
     const std::vector<PassTiming>& timings() const { return timings_; }
@@ -79,8 +81,10 @@ private:
     size_t index_of(const std::string& pass, bool rasterises);
     GlHandle<delete_query> take_query();
     void collect(bool wait);
+    void record(size_t pass, double milliseconds);
 
     TimerClock clock_;
+    size_t kept_ = 0;
     std::vector<PassTiming> timings_;
     std::deque<Pending> pending_; ///< the ring: as long as the GPU lags behind
     std::vector<GlHandle<delete_query>> free_queries_;

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/capture.h"
+
+#include "renderer/image/image_io.h"
+
+#include <utility>
+
+namespace romascope {
+
+Capture::Capture(const Scene& scene, const Settings& settings, ShaderLibrary shaders,
+                 std::filesystem::path file)
+    : settings_(settings), file_(std::move(file)), pipeline_(scene, std::move(shaders)),
+      frames_(settings.get(kFrames)) {
+    const Pose pose = pose_of_frame(scene, settings, 0);
+    camera_ = chosen_camera(scene, settings, pose);
+    pipeline_.set_pose(pose);
+}
+
+bool Capture::step() {
+    pipeline_.render(settings_, camera_);
+    if (++done_ < frames_)
+        return false;
+    write_image(file_, pipeline_.picture());
+    return true;
+}
+
+} // namespace romascope

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/keys.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+namespace romascope {
+
+std::span<const KeyBinding> key_bindings() {
+    constexpr bool kPlain = false, kControl = true, kShift = true;
+    static const KeyBinding bindings[] = {
+        {KeyAction::help, GLFW_KEY_F1, kPlain, kPlain, "F1", "this help"},
+        {KeyAction::panel, GLFW_KEY_TAB, kPlain, kPlain, "Tab", "the panel, or only the picture"},
+        {KeyAction::scene_camera, GLFW_KEY_1, kPlain, kPlain, "1 ... 9", "the scene's cameras"},
+        {KeyAction::fit, GLFW_KEY_F, kPlain, kPlain, "F", "fit all of the scene in the view"},
+        {KeyAction::play, GLFW_KEY_SPACE, kPlain, kPlain, "Space", "play the animation, or pause"},
+        {KeyAction::step_back, GLFW_KEY_COMMA, kPlain, kPlain, ",", "1/30 s back"},
+        {KeyAction::step_on, GLFW_KEY_PERIOD, kPlain, kPlain, ".", "1/30 s on"},
+        {KeyAction::screenshot, GLFW_KEY_F12, kPlain, kPlain, "F12",
+         "save the picture as it is seen"},
+        {KeyAction::large_screenshot, GLFW_KEY_F12, kPlain, kShift, "Shift+F12",
+         "save it at the size that the panel names"},
+        {KeyAction::copy_command, GLFW_KEY_C, kControl, kPlain, "Ctrl+C",
+         "copy the command that renders this picture"},
+        {KeyAction::reset_all, GLFW_KEY_R, kControl, kPlain, "Ctrl+R", "reset all knobs"},
+        {KeyAction::reload_shaders, GLFW_KEY_F5, kPlain, kPlain, "F5",
+         "look for changed shaders now"},
+        {KeyAction::quit, GLFW_KEY_Q, kControl, kPlain, "Ctrl+Q", "close the window"},
+    };
+    return bindings;
+}
+
+std::span<const Gesture> gestures() {
+    static const Gesture list[] = {
+        {"left drag", "turn around what is looked at"},
+        {"right drag", "look around"},
+        {"middle or Shift+left drag", "move sideways"},
+        {"wheel", "come nearer, go away"},
+        {"W A S D, Q E", "fly ahead, left, back, right, down, up; with Shift faster"},
+        {"drop a file", "open a .gltf or .glb"},
+        {"Ctrl+click on a slider", "type a number"},
+    };
+    return list;
+}
+
+} // namespace romascope

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/session.h"
+
+#include "app/frame_run.h"
+#include "app/scene_files.h"
+#include "renderer/base/error.h"
+#include "renderer/gl/context.h"
+#include "renderer/scene/fit.h"
+#include "renderer/scene/gltf/import.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <new>
+
+namespace romascope {
+namespace {
+
+/// Times of a pass that its median is taken of.
+constexpr size_t kTimesKept = 30;
+/// What a camera is fitted for; see ViewFit.
+constexpr double kFittedAspect = 16.0 / 9.0;
+
+/// Whether other passes may run, or take another time: all but numbers, which are turned often and
+/// change little from one frame to the next.
+bool other_methods(const Settings& a, const Settings& b) {
+    return std::ranges::any_of(a.table().all(), [&](const KnobBase* knob) {
+        const bool number = knob->kind() == KnobKind::integer || knob->kind() == KnobKind::real;
+        return !number && knob != &kCamera && a.value(*knob) != b.value(*knob);
+    });
+}
+
+} // namespace
+
+Session::Session(Settings settings, std::filesystem::path shaders, SceneOptions memory,
+                 Messages& messages)
+    : settings_(std::move(settings)), shader_folder_(std::move(shaders)),
+      memory_(std::move(memory)), messages_(messages) {
+    playback_.play(settings_.get(kFps) > 0.0);
+}
+
+void Session::check_memory_for(const Scene& scene, const Settings& settings) const {
+    if (is_software_context())
+        check_memory(scene, settings, memory_.left_beside(scene), memory_.max_memory.has_value());
+}
+
+void Session::show(const std::filesystem::path& file, Scene scene) {
+    Showing(scene, settings_);
+    check_memory_for(scene, settings_);
+    auto loaded = std::make_unique<Loaded>(file, std::move(scene), library());
+    loaded->pipeline.timer().keep_latest(kTimesKept);
+    loaded_ = std::move(loaded);
+    for (const std::string& notice : loaded_->scene.notices)
+        messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
+    drawn_.reset();
+    playback_.play(playback_.playing() && is_animated());
+}
+
+bool Session::open(const std::string& file_or_name) {
+    const Settings before = settings_;
+    try {
+        const std::filesystem::path file = find_scene(file_or_name);
+        Scene scene = load_gltf(file, memory_.limit());
+        for (const KnobBase* knob :
+             std::initializer_list<const KnobBase*>{&kCamera, &kTime, &kAnimation})
+            settings_.reset(*knob);
+        show(file, std::move(scene));
+        messages_.tell(Severity::info, fmt::format("opened {}", file.string()));
+        return true;
+    } catch (const Error& error) {
+        tell_error(error.what());
+    } catch (const std::bad_alloc&) {
+        tell_error(fmt::format("{}: out of memory", file_or_name));
+    }
+    settings_ = before;
+    return false;
+}
+
+bool Session::set(const KnobBase& knob, const KnobValue& value) {
+    if (settings_.value(knob) == value)
+        return true;
+    try {
+        settings_.set_value(knob, value);
+    } catch (const Error& error) {
+        tell_error(error.what());
+        return false;
+    }
+    if (&knob == &kWidth || &knob == &kHeight)
+        follows_window_ = false;
+    return true;
+}
+
+KnobValue Session::reset_value(const KnobBase& knob) const {
+    return &knob == &kFrames ? KnobValue(int64_t{kFramesToRest}) : knob.default_value();
+}
+
+void Session::reset(const KnobBase& knob) {
+    if (&knob == &kWidth || &knob == &kHeight)
+        follow_window(true);
+    else
+        settings_.set_value(knob, reset_value(knob));
+}
+
+void Session::reset_all() {
+    for (const KnobBase* knob : settings_.table().all())
+        if (knob != &kCamera && knob != &kTime && knob != &kWidth && knob != &kHeight)
+            reset(*knob);
+    technique_.clear();
+}
+
+void Session::choose_technique(const std::string& name) {
+    try {
+        apply_technique(settings_, name);
+        technique_ = name;
+    } catch (const Error& error) {
+        tell_error(error.what());
+    }
+}
+
+Camera Session::camera() const {
+    return chosen_camera(loaded_->scene, settings_, pose_of_frame(loaded_->scene, settings_, 0));
+}
+
+Viewpoint Session::viewpoint() const {
+    if (!viewpoint_text_.empty() && settings_.get(kCamera) == viewpoint_text_)
+        return viewpoint_;
+    return Viewpoint::of(camera(), loaded_->scene.bounds);
+}
+
+void Session::set_viewpoint(const Viewpoint& viewpoint) {
+    viewpoint_ = viewpoint;
+    viewpoint_text_ = viewpoint.text();
+    set(kCamera, viewpoint_text_);
+}
+
+void Session::choose_camera(size_t index) {
+    if (index < loaded_->scene.cameras.size())
+        set(kCamera, loaded_->scene.cameras[index].name);
+}
+
+void Session::fit_view() {
+    try {
+        Viewpoint fitted = Viewpoint::of(fit_camera(loaded_->scene), loaded_->scene.bounds);
+        const double aspect = static_cast<double>(settings_.get(kWidth)) / settings_.get(kHeight);
+        if (aspect < kFittedAspect)
+            fitted.approach(aspect / kFittedAspect);
+        set_viewpoint(fitted);
+    } catch (const Error& error) {
+        tell_error(error.what());
+    }
+}
+
+bool Session::is_animated() const { return duration() > 0.0; }
+
+double Session::duration() const {
+    if (!loaded_ || loaded_->scene.motion.animations.empty())
+        return 0.0;
+    try {
+        const int animation = find_animation(loaded_->scene, settings_.get(kAnimation));
+        return animation < 0
+                   ? 0.0
+                   : loaded_->scene.motion.animations[static_cast<size_t>(animation)].duration;
+    } catch (const Error&) {
+        return 0.0; // drawing tells that there is none of that name
+    }
+}
+
+void Session::advance(double elapsed) {
+    set(kTime, playback_.advanced(settings_.get(kTime), elapsed, settings_.get(kFps), duration()));
+}
+
+void Session::set_window_size(glm::ivec2 pixels) {
+    window_size_ = pixels;
+    if (follows_window_)
+        follow_window(true);
+}
+
+void Session::follow_window(bool on) {
+    follows_window_ = on;
+    if (!on || window_size_.x < 1 || window_size_.y < 1) // an icon has no size
+        return;
+    settings_.set(kWidth, std::min(window_size_.x, static_cast<int>(kWidth.maximum())));
+    settings_.set(kHeight, std::min(window_size_.y, static_cast<int>(kHeight.maximum())));
+}
+
+/// What a frame depends on: how many there are and how time got where it is does not count.
+Settings Session::frame_settings() const {
+    Settings wanted = settings_;
+    wanted.reset(kFrames);
+    wanted.reset(kFps);
+    return wanted;
+}
+
+bool Session::at_rest() const {
+    if (!loaded_)
+        return true;
+    if (drawn_ != frame_settings())
+        return false;
+    return failed_ ||
+           (changes_in_a_row_ < 2 && frames_ >= static_cast<uint32_t>(settings_.get(kFrames)));
+}
+
+bool Session::draw() {
+    if (at_rest())
+        return false;
+    const Settings wanted = frame_settings();
+    const bool changed = drawn_ != wanted;
+    const bool structures_changed = !drawn_ || other_methods(*drawn_, wanted);
+    // The sequences begin anew with the first of many changes and after the last of them; between
+    // the two they go on, so that what moves does not drag a still pattern along.
+    if (changed ? changes_in_a_row_ == 0 : changes_in_a_row_ >= 2) {
+        loaded_->pipeline.restart();
+        frames_ = 0;
+    }
+    changes_in_a_row_ = changed ? changes_in_a_row_ + 1 : 0;
+    frames_ = changed ? 1 : frames_ + 1;
+    drawn_ = wanted;
+    failed_ = !try_draw(wanted, structures_changed);
+    return !failed_;
+}
+
+bool Session::try_draw(const Settings& wanted, bool structures_changed) {
+    Pipeline& pipeline = loaded_->pipeline;
+    try {
+        const Scene& scene = loaded_->scene;
+        const Pose pose = pose_of_frame(scene, wanted, 0);
+        const Camera camera = chosen_camera(scene, wanted, pose);
+        check_memory_for(scene, wanted);
+        pipeline.set_pose(pose);
+        if (structures_changed)
+            pipeline.timer().clear();
+        pipeline.render(wanted, camera);
+    } catch (const Error& error) {
+        tell_error(error.what());
+        return false;
+    } catch (const std::bad_alloc&) {
+        tell_error("out of memory: choose smaller structures or a smaller picture");
+        return false;
+    }
+    for (const std::string& fault : pipeline.take_shader_faults())
+        tell_error(fault);
+    return true;
+}
+
+bool Session::reload_shaders() {
+    if (!loaded_ || !loaded_->pipeline.reload_shaders())
+        return false;
+    messages_.tell(Severity::info, "shaders read again");
+    drawn_.reset();
+    return true;
+}
+
+} // namespace romascope

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/start_settings.h"
+
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+#include "renderer/frame/technique.h"
+
+#include <fmt/format.h>
+
+namespace romascope {
+namespace fs = std::filesystem;
+
+fs::path start_settings_file() { return config_directory() / "viewer.toml"; }
+
+bool load_start_settings(Settings& settings) {
+    std::error_code code;
+    if (!fs::exists(start_settings_file(), code))
+        return false;
+    settings.load_toml(start_settings_file());
+    return true;
+}
+
+void save_start_settings(const Settings& settings) {
+    Settings kept = settings;
+    for (const KnobBase* knob : std::initializer_list<const KnobBase*>{
+             &kCamera, &kTime, &kFps, &kAnimation, &kWidth, &kHeight})
+        kept.reset(*knob);
+    write_file_atomically(start_settings_file(), kept.to_toml());
+}
+
+bool forget_start_settings() {
+    std::error_code code;
+    const bool removed = fs::remove(start_settings_file(), code);
+    if (code)
+        throw Error(
+            fmt::format("cannot remove {}: {}", start_settings_file().string(), code.message()));
+    return removed;
+}
+
+} // namespace romascope
