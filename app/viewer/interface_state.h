@@ -17,6 +17,12 @@ struct InterfaceState {
     std::string filter;               ///< of the list of knobs
 };
 
+/// What goes on beside the frames, for the panel to show.
+struct Activity {
+    std::optional<double> screenshot; ///< the part that is done of one that takes several frames
+    bool saved_settings = false;      ///< there are settings to start with, other than the defaults
+};
+
 /// What the panel or a key asks for; done after the frame's widgets are laid out.
 struct Requests {
     bool copy_command = false;

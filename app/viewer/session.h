@@ -102,6 +102,7 @@ public:
     Pipeline* pipeline() { return loaded_ ? &loaded_->pipeline : nullptr; }
     /// Whether the last attempt to draw failed; why is among the messages.
     bool failed() const { return failed_; }
+    Messages& messages() { return messages_; }
 
     /// Refuses frames that would take more memory than is left; see check_memory. Throws Error.
     void check_memory_for(const Settings& settings) const { check_memory_for(scene(), settings); }

@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/interface.h"
+
+#include "app/viewer/session.h"
+#include "renderer/base/error.h"
+#include "renderer/base/files.h"
+
+#include <glad/gl.h>
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+#include <backends/imgui_impl_glfw.h>
+#include <backends/imgui_impl_opengl3.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <cmath>
+#include <system_error>
+#include <utility>
+
+namespace romascope {
+namespace {
+
+/// The size that ImGui's own font is drawn for.
+constexpr float kFontPixels = 13.0f;
+constexpr float kLeastScale = 0.5f, kMostScale = 6.0f;
+/// How often a blinking cursor and a tooltip to come are looked after.
+constexpr double kBlinkSeconds = 0.1;
+/// While nothing changes.
+constexpr double kIdleSeconds = 3600.0;
+
+void set_style(float scale) {
+    ImGuiStyle style;
+    ImGui::StyleColorsDark(&style);
+    style.WindowPadding = {9, 8};
+    style.FramePadding = {6, 3};
+    style.ItemSpacing = {7, 5};
+    style.CellPadding = {3, 2};
+    style.WindowRounding = 4;
+    style.FrameRounding = 3;
+    style.GrabRounding = 3;
+    style.PopupRounding = 3;
+    style.ScrollbarSize = 12;
+    style.GrabMinSize = 9;
+    style.WindowBorderSize = 0;
+    style.Colors[ImGuiCol_WindowBg] = {0.09f, 0.10f, 0.11f, 0.95f};
+    style.Colors[ImGuiCol_PopupBg] = {0.12f, 0.13f, 0.14f, 0.98f};
+    style.Colors[ImGuiCol_TitleBg] = {0.13f, 0.14f, 0.16f, 1.0f};
+    style.Colors[ImGuiCol_TitleBgActive] = {0.16f, 0.18f, 0.21f, 1.0f};
+    style.Colors[ImGuiCol_TitleBgCollapsed] = {0.13f, 0.14f, 0.16f, 0.85f};
+    style.Colors[ImGuiCol_FrameBg] = {0.19f, 0.21f, 0.24f, 1.0f};
+    style.Colors[ImGuiCol_FrameBgHovered] = {0.25f, 0.28f, 0.32f, 1.0f};
+    style.Colors[ImGuiCol_FrameBgActive] = {0.28f, 0.32f, 0.37f, 1.0f};
+    style.Colors[ImGuiCol_Header] = {0.17f, 0.20f, 0.24f, 1.0f};
+    style.Colors[ImGuiCol_HeaderHovered] = {0.24f, 0.30f, 0.37f, 1.0f};
+    style.Colors[ImGuiCol_HeaderActive] = {0.27f, 0.35f, 0.44f, 1.0f};
+    style.Colors[ImGuiCol_Button] = {0.22f, 0.28f, 0.35f, 1.0f};
+    style.Colors[ImGuiCol_ButtonHovered] = {0.29f, 0.38f, 0.48f, 1.0f};
+    style.Colors[ImGuiCol_ButtonActive] = {0.30f, 0.48f, 0.66f, 1.0f};
+    style.Colors[ImGuiCol_SliderGrab] = {0.45f, 0.62f, 0.80f, 0.55f}; // numbers shine through
+    style.Colors[ImGuiCol_SliderGrabActive] = {0.50f, 0.70f, 0.90f, 0.75f};
+    style.Colors[ImGuiCol_TextDisabled] = {0.58f, 0.60f, 0.63f, 1.0f};
+    style.Colors[ImGuiCol_CheckMark] = {0.60f, 0.77f, 0.95f, 1.0f};
+    style.ScaleAllSizes(scale);
+    ImGui::GetStyle() = style;
+}
+
+/// Pixels of the framebuffer per unit of the window's coordinates.
+float pixels_per_unit(GLFWwindow* window) {
+    int units = 0, pixels = 0, unused = 0;
+    glfwGetWindowSize(window, &units, &unused);
+    glfwGetFramebufferSize(window, &pixels, &unused);
+    return units > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(units) : 1.0f;
+}
+
+void load_layout(const std::filesystem::path& file) {
+    std::error_code none;
+    if (file.empty() || !std::filesystem::is_regular_file(file, none))
+        return;
+    try {
+        const std::string text = read_text_file(file);
+        ImGui::LoadIniSettingsFromMemory(text.data(), text.size());
+    } catch (const Error&) {
+        return; // then the panel has its default width
+    }
+}
+
+} // namespace
+
+Interface::Interface(GLFWwindow* window, std::filesystem::path layout_file,
+                     std::filesystem::path ui_map)
+    : window_(window), context_(ImGui::CreateContext()), layout_file_(std::move(layout_file)),
+      map_(std::move(ui_map)) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr; // saved here: whole or not at all, and its folder made
+    io.LogFilename = nullptr;
+    load_layout(layout_file_);
+    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplOpenGL3_Init("#version 450 core");
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_, &x, &y);
+    set_scale(x);
+}
+
+Interface::~Interface() {
+    ImGui_ImplOpenGL3_Shutdown();
+    ImGui_ImplGlfw_Shutdown();
+    ImGui::DestroyContext(context_);
+}
+
+void Interface::set_scale(float scale) {
+    const float wanted = std::clamp(scale, kLeastScale, kMostScale);
+    if (wanted != scale_) {
+        scale_ = wanted;
+        ImGuiIO& io = ImGui::GetIO();
+        ImFontConfig config;
+        config.SizePixels = std::round(kFontPixels * wanted);
+        io.Fonts->Clear();
+        io.Fonts->AddFontDefault(&config);
+        ImGui_ImplOpenGL3_DestroyDeviceObjects(); // the next frame makes them anew
+    }
+    // Widgets are laid out in the window's units, which on some systems are larger than pixels.
+    const float ratio = pixels_per_unit(window_);
+    ImGui::GetIO().FontGlobalScale = 1.0f / ratio;
+    if (style_scale_ != scale_ / ratio) {
+        style_scale_ = scale_ / ratio;
+        set_style(style_scale_);
+    }
+}
+
+void Interface::begin_frame() {
+    set_scale(scale_);
+    ImGui_ImplOpenGL3_NewFrame();
+    ImGui_ImplGlfw_NewFrame();
+    ImGui::NewFrame();
+    map_.begin_frame();
+}
+
+Requests Interface::draw(Session& session, InterfaceState& state, const Activity& activity) {
+    Requests requests;
+    if (state.panel)
+        panel_.draw(session, state, activity, map_, requests);
+    overlay_.draw(session.messages(), state, state.panel ? panel_.right_edge() : 0.0f, map_);
+    save_layout(session);
+    map_.finish_frame(session, state);
+    return requests;
+}
+
+void Interface::end_frame() {
+    ImGui::Render();
+    GLint framebuffer = 0, viewport[4] = {};
+    glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
+    glGetIntegerv(GL_VIEWPORT, viewport);
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, 0);
+    ImGui_ImplOpenGL3_RenderDrawData(ImGui::GetDrawData());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, static_cast<GLuint>(framebuffer));
+    glViewport(viewport[0], viewport[1], viewport[2], viewport[3]);
+}
+
+bool Interface::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
+bool Interface::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
+
+double Interface::seconds_to_change() const {
+    double seconds = kIdleSeconds;
+    for (const auto& part : {panel_.seconds_to_change(), overlay_.seconds_to_change()})
+        seconds = std::min(seconds, part.value_or(kIdleSeconds));
+    if (wants_keyboard() || ImGui::IsAnyItemHovered() || map_.is_behind())
+        seconds = std::min(seconds, kBlinkSeconds);
+    return seconds;
+}
+
+void Interface::save_layout(Session& session) {
+    ImGuiIO& io = ImGui::GetIO();
+    if (!io.WantSaveIniSettings || layout_file_.empty())
+        return;
+    io.WantSaveIniSettings = false;
+    size_t size = 0;
+    const char* text = ImGui::SaveIniSettingsToMemory(&size);
+    try {
+        write_file_atomically(layout_file_, std::string(text, size));
+    } catch (const Error& error) {
+        layout_file_.clear(); // once is enough
+        session.messages().tell(Severity::notice, error.what());
+    }
+}
+
+} // namespace romascope

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/viewer/interface_state.h"
+#include "app/viewer/overlay.h"
+#include "app/viewer/panel.h"
+#include "app/viewer/ui_map.h"
+
+#include <filesystem>
+
+struct GLFWwindow;
+struct ImGuiContext;
+
+namespace romascope {
+
+class Session;
+
+/// All widgets over the picture, by Dear ImGui. Its calls in a frame: begin_frame, draw, end_frame.
+class Interface {
+public:
+    /// Needs the window's context to be current. The window's callbacks that were set before are
+    /// still called. `layout_file` keeps the panel's width from one start to the next; empty, or
+    /// unreadable: it has its default. `ui_map`: see UiMap.
+    Interface(GLFWwindow* window, std::filesystem::path layout_file, std::filesystem::path ui_map);
+    ~Interface();
+    Interface(const Interface&) = delete;
+    Interface& operator=(const Interface&) = delete;
+
+    /// How large text and widgets are: 1 on a screen of 96 pixels per inch. Not within a frame.
+    void set_scale(float scale);
+
+    void begin_frame();
+    /// Does what the user asks of the session; the rest is returned.
+    Requests draw(Session& session, InterfaceState& state, const Activity& activity);
+    /// Draws into framebuffer 0, in pixels as the widgets have them (sRGB is not encoded again).
+    /// Leaves the GL state as it was.
+    void end_frame();
+
+    /// Whether what the mouse does, or what is typed, is meant for the widgets.
+    bool wants_mouse() const;
+    bool wants_keyboard() const;
+
+    /// Seconds until something of the interface changes without anyone doing anything: draw it
+    /// again by then.
+    double seconds_to_change() const;
+
+private:
+    void save_layout(Session& session);
+
+    GLFWwindow* window_;
+    ImGuiContext* context_;
+    std::filesystem::path layout_file_;
+    UiMap map_;
+    Panel panel_;
+    Overlay overlay_;
+    float scale_ = 0.0f;
+    float style_scale_ = 0.0f;
+};
+
+} // namespace romascope

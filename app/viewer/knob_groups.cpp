@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: MIT
+#include "app/viewer/knob_groups.h"
+
+#include "renderer/frame/technique.h"
+#include "renderer/passes/compose.h"
+#include "renderer/tracers/tracer.h"
+
+#include <algorithm>
+#include <cctype>
+#include <iterator>
+#include <sstream>
+#include <utility>
+
+namespace romascope {
+namespace {
+
+constexpr std::pair<std::string_view, std::string_view> kTitles[] = {
+    {"technique", "Technique"}, {"render", "Picture and camera"},
+    {"frame", "View"},          {"view", "Views of structures"},
+    {"lit", "Lit view"},        {"occupancy", "Occupancy map"},
+    {"roma", "ROMA"},           {"ao", "Ambient occlusion"},
+};
+
+size_t place_of(std::string_view group) {
+    const auto found =
+        std::ranges::find(kTitles, group, [](const auto& pair) { return pair.first; });
+    return static_cast<size_t>(found - std::begin(kTitles));
+}
+
+std::string as_words(std::string_view text) {
+    std::string words(text);
+    std::ranges::replace(words, '_', ' ');
+    return words;
+}
+
+std::string title_of(std::string_view group) {
+    const size_t place = place_of(group);
+    if (place < std::size(kTitles))
+        return std::string(kTitles[place].second);
+    std::string title = as_words(group);
+    title[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(title[0])));
+    return title;
+}
+
+std::string lower(std::string_view text) {
+    std::string out(text);
+    std::ranges::transform(out, out.begin(), [](char c) {
+        return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
+    });
+    return out;
+}
+
+/// Whether the knob belongs to tracers alone, none of which is the chosen one.
+bool is_of_other_tracer(const KnobBase& knob, const std::string& chosen) {
+    bool of_any = false;
+    for (const TracerEntry& tracer : tracers()) {
+        const std::vector<const KnobBase*> own = tracer.knobs();
+        if (std::ranges::find(own, &knob) == own.end())
+            continue;
+        if (tracer.name == chosen)
+            return false;
+        of_any = true;
+    }
+    return of_any;
+}
+
+} // namespace
+
+std::string_view group_key(const KnobBase& knob) {
+    return knob.key().substr(0, knob.key().rfind('.'));
+}
+
+std::string knob_label(const KnobBase& knob) {
+    return as_words(knob.key().substr(knob.key().rfind('.') + 1));
+}
+
+std::vector<KnobGroup> knob_groups(const KnobTable& table) {
+    std::vector<KnobGroup> groups;
+    for (const KnobBase* knob : table.all()) {
+        const std::string_view key = group_key(*knob);
+        auto group = std::ranges::find(groups, key, &KnobGroup::key);
+        if (group == groups.end())
+            group = groups.insert(groups.end(), {key, title_of(key), {}});
+        group->knobs.push_back(knob);
+    }
+    std::ranges::stable_sort(groups, {},
+                             [](const KnobGroup& group) { return place_of(group.key); });
+    return groups;
+}
+
+bool matches(const KnobBase& knob, std::string_view filter) {
+    const std::string text = lower(std::string(knob.key())
+                                       .append(" ")
+                                       .append(knob_label(knob))
+                                       .append(" ")
+                                       .append(knob.help()));
+    std::istringstream words(lower(filter));
+    return std::all_of(
+        std::istream_iterator<std::string>(words), std::istream_iterator<std::string>(),
+        [&](const std::string& word) { return text.find(word) != std::string::npos; });
+}
+
+bool is_in_use(const KnobBase& knob, const Settings& settings) {
+    if (group_key(knob) == "lit" && settings.get(kView) != PictureKind::lit)
+        return false;
+    return !is_of_other_tracer(knob, settings.get(kTracer));
+}
+
+} // namespace romascope

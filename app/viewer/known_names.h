@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/viewer/knob_editor.h"
+
+namespace romascope {
+
+class Session;
+
+/// What a text knob can name in this session: tracers, cameras and animations of the scene. Empty
+/// for other knobs.
+KnownNames known_names(const KnobBase& knob, const Session& session);
+
+} // namespace romascope

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "app/scene_files.h"
+#include "app/viewer/costs.h"
+#include "app/viewer/interface_state.h"
+#include "app/viewer/knob_list.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace romascope {
+
+class Session;
+class UiMap;
+
+/// The panel at the left edge, as high as the window, and what frames cost at the right one.
+class Panel {
+public:
+    /// Lays both out and does what the user asks of the session; the rest is requested.
+    void draw(Session& session, InterfaceState& state, const Activity& activity, UiMap& map,
+              Requests& requests);
+    /// Where the panel ends, from the left, in ImGui's units.
+    float right_edge() const { return right_edge_; }
+    std::optional<double> seconds_to_change() const { return costs_.seconds_to_change(); }
+
+private:
+    void draw_scene(Session& session, UiMap& map, Requests& requests);
+    void draw_camera(Session& session, UiMap& map);
+    void draw_time(Session& session, UiMap& map);
+    void draw_technique(Session& session, UiMap& map);
+    void draw_picture(Session& session, InterfaceState& state, const Activity& activity, UiMap& map,
+                      Requests& requests);
+    void draw_costs(Session& session, UiMap& map);
+
+    std::vector<BuiltInScene> built_in_ = built_in_scenes();
+    std::string path_; ///< what is being written of a scene's path
+    KnobList knobs_;
+    Costs costs_;
+    float right_edge_ = 0.0f;
+};
+
+} // namespace romascope
