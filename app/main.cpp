@@ -63,11 +63,12 @@ int run(int argc, char** argv) {
     CLI::App app("Which fast visibility method is good enough for a scene, and what does it cost?",
                  "romascope");
     app.set_version_flag("--version", fmt::format("romascope {} ({})", kVersion, kCommit));
-    app.require_subcommand(0, 1); // none is refused below, after a misspelt one got its answer
+    app.require_subcommand(0, 1);
     int status = 0;
-    for (const auto& add :
-         {add_render_command, add_compare_command, add_sheet_command, add_info_command}) {
-        Command command = add(app);
+    std::vector<Command> commands;
+    for (const auto& add : {add_view_command, add_render_command, add_compare_command,
+                            add_sheet_command, add_info_command}) {
+        const Command command = commands.emplace_back(add(app));
         app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }
     try {
@@ -78,8 +79,7 @@ int run(int argc, char** argv) {
         throw Error(usage_error(app, error), kBadInput);
     }
     if (app.get_subcommands().empty())
-        throw Error("a command is missing: render, compare, sheet or info (see 'romascope --help')",
-                    kBadInput);
+        return commands.front()(); // the default scene in a window
     return status;
 }
 

@@ -15,32 +15,29 @@ namespace {
 constexpr double kOrbitPerHeight = glm::pi<double>(); ///< radians for a drag over the window
 constexpr double kNearerPerNotch = 1.12;              ///< of the wheel
 constexpr double kDiagonalsPerSecond = 0.12, kFaster = 4.0;
-/// A slow frame must not throw the eye across the scene.
-constexpr double kLongestStep = 0.25;
+/// Seconds of flying in one frame: a slow one must not throw the eye across the scene.
+constexpr double kLongestStep = 0.5;
 
 } // namespace
 
-CameraMove camera_move(const Window& window, const WindowInput& input, double seconds, bool mouse,
-                       bool keyboard) {
+CameraMove camera_move(const Window& window, const WindowInput& input, bool mouse, bool keyboard) {
     CameraMove move;
     move.fast = window.is_down(GLFW_KEY_LEFT_SHIFT) || window.is_down(GLFW_KEY_RIGHT_SHIFT);
-    move.seconds = std::min(seconds, kLongestStep);
     if (mouse) {
-        const glm::dvec2 way = input.mouse / static_cast<double>(std::max(window.size().y, 1));
-        const bool left = window.is_button_down(GLFW_MOUSE_BUTTON_LEFT);
-        if (window.is_button_down(GLFW_MOUSE_BUTTON_MIDDLE) || (left && move.fast))
-            move.pan = way;
-        else if (left)
-            move.orbit = way;
-        else if (window.is_button_down(GLFW_MOUSE_BUTTON_RIGHT))
-            move.look = way;
+        const auto way = [&](size_t button) {
+            return input.drag[button] / static_cast<double>(std::max(window.size().y, 1));
+        };
+        (move.fast ? move.pan : move.orbit) = way(GLFW_MOUSE_BUTTON_LEFT);
+        move.pan += way(GLFW_MOUSE_BUTTON_MIDDLE);
+        move.look = way(GLFW_MOUSE_BUTTON_RIGHT);
         move.wheel = input.wheel;
     }
     const bool control =
         window.is_down(GLFW_KEY_LEFT_CONTROL) || window.is_down(GLFW_KEY_RIGHT_CONTROL);
     if (keyboard && !control) {
         const auto axis = [&](int more, int less) {
-            return (window.is_down(more) ? 1.0 : 0.0) - (window.is_down(less) ? 1.0 : 0.0);
+            return std::clamp(input.held_seconds(more) - input.held_seconds(less), -kLongestStep,
+                              kLongestStep);
         };
         move.fly = {axis(GLFW_KEY_D, GLFW_KEY_A), axis(GLFW_KEY_E, GLFW_KEY_Q),
                     axis(GLFW_KEY_W, GLFW_KEY_S)};
@@ -68,8 +65,7 @@ Viewpoint moved(Viewpoint viewpoint, const CameraMove& move, double diagonal) {
     if (move.wheel != 0.0)
         viewpoint.approach(std::pow(kNearerPerNotch, move.wheel));
     if (move.fly != glm::dvec3(0.0))
-        viewpoint.walk(move.fly * (move.seconds * diagonal * kDiagonalsPerSecond *
-                                   (move.fast ? kFaster : 1.0)));
+        viewpoint.walk(move.fly * (diagonal * kDiagonalsPerSecond * (move.fast ? kFaster : 1.0)));
     return viewpoint;
 }
 

@@ -12,15 +12,13 @@ struct CameraMove {
     glm::dvec2 look{0.0};
     glm::dvec2 pan{0.0};
     double wheel = 0.0;  ///< notches
-    glm::dvec3 fly{0.0}; ///< right, up, ahead; each -1, 0 or 1
+    glm::dvec3 fly{0.0}; ///< right, up, ahead; seconds that the keys were held
     bool fast = false;
-    double seconds = 0.0; ///< that the keys were held
 };
 
 /// Mouse and held keys of a window as a move; `mouse`, `keyboard`: whether widgets leave them to
 /// the camera.
-CameraMove camera_move(const Window& window, const WindowInput& input, double seconds, bool mouse,
-                       bool keyboard);
+CameraMove camera_move(const Window& window, const WindowInput& input, bool mouse, bool keyboard);
 
 /// The viewpoint after the move; `diagonal`: of the scene, in metres.
 Viewpoint moved(Viewpoint viewpoint, const CameraMove& move, double diagonal);

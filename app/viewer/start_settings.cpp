@@ -12,9 +12,13 @@ namespace fs = std::filesystem;
 
 fs::path start_settings_file() { return config_directory() / "viewer.toml"; }
 
-bool load_start_settings(Settings& settings) {
+bool has_start_settings() {
     std::error_code code;
-    if (!fs::exists(start_settings_file(), code))
+    return fs::exists(start_settings_file(), code);
+}
+
+bool load_start_settings(Settings& settings) {
+    if (!has_start_settings())
         return false;
     settings.load_toml(start_settings_file());
     return true;

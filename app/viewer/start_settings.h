@@ -11,6 +11,8 @@ namespace romascope {
 /// "viewer.toml" in config_directory(); it need not exist.
 std::filesystem::path start_settings_file();
 
+bool has_start_settings();
+
 /// Loads that file, if there is one, over `settings`. True if there is. Throws Error (kBadInput)
 /// for a fault in it.
 bool load_start_settings(Settings& settings);

@@ -10,6 +10,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace romascope {
@@ -32,8 +33,20 @@ Window& owner(GLFWwindow* window) {
 
 struct WindowCallbacks {
     static void key(GLFWwindow* window, int key, int, int action, int mods) {
+        Window& self = owner(window);
         if (action != GLFW_RELEASE)
-            owner(window).input_.keys.push_back({key, mods});
+            self.input_.keys.push_back({key, mods});
+        if (action == GLFW_PRESS)
+            self.down_since_[key] = glfwGetTime();
+        if (action == GLFW_RELEASE)
+            if (const auto down = self.down_since_.find(key); down != self.down_since_.end()) {
+                self.input_.held[key] += glfwGetTime() - down->second;
+                self.down_since_.erase(down);
+            }
+    }
+    static void button(GLFWwindow* window, int button, int action, int) {
+        if (button < 3)
+            owner(window).buttons_[static_cast<size_t>(button)] = action == GLFW_PRESS;
     }
     static void drop(GLFWwindow* window, int count, const char** paths) {
         for (int i = 0; i < count; ++i)
@@ -43,14 +56,20 @@ struct WindowCallbacks {
     static void cursor(GLFWwindow* window, double x, double y) {
         Window& self = owner(window);
         const glm::dvec2 at(x, y);
-        if (self.cursor_known_)
-            self.input_.mouse += at - self.cursor_;
+        if (self.cursor_known_ && std::ranges::count(self.buttons_, true) == 1)
+            for (size_t i = 0; i < self.buttons_.size(); ++i)
+                if (self.buttons_[i])
+                    self.input_.drag[i] += at - self.cursor_;
         self.cursor_ = at;
         self.cursor_known_ = true;
     }
-    static void enter(GLFWwindow* window, int entered) {
-        if (!entered)
-            owner(window).cursor_known_ = false; // it comes back somewhere else
+    /// What is let go over another window is not told here.
+    static void focus(GLFWwindow* window, int focused) {
+        Window& self = owner(window);
+        if (!focused) {
+            self.down_since_.clear();
+            self.buttons_ = {};
+        }
     }
 };
 
@@ -65,8 +84,9 @@ Window::Window(glm::ivec2 size, bool exact, bool debug) : window_(open(size, exa
     glfwSetKeyCallback(window_, WindowCallbacks::key);
     glfwSetDropCallback(window_, WindowCallbacks::drop);
     glfwSetScrollCallback(window_, WindowCallbacks::scroll);
+    glfwSetMouseButtonCallback(window_, WindowCallbacks::button);
     glfwSetCursorPosCallback(window_, WindowCallbacks::cursor);
-    glfwSetCursorEnterCallback(window_, WindowCallbacks::enter);
+    glfwSetWindowFocusCallback(window_, WindowCallbacks::focus);
     glfwSwapInterval(1);
 }
 
@@ -103,11 +123,13 @@ void Window::poll(double wait_seconds) {
         glfwPollEvents();
 }
 
-WindowInput Window::take_input() { return std::exchange(input_, {}); }
-bool Window::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
-bool Window::is_button_down(int button) const {
-    return glfwGetMouseButton(window_, button) == GLFW_PRESS;
+WindowInput Window::take_input() {
+    const double now = glfwGetTime();
+    for (auto& [key, since] : down_since_)
+        input_.held[key] += now - std::exchange(since, now);
+    return std::exchange(input_, {});
 }
+bool Window::is_down(int key) const { return glfwGetKey(window_, key) == GLFW_PRESS; }
 void Window::set_clipboard(const std::string& text) {
     glfwSetClipboardString(window_, text.c_str());
 }

@@ -3,6 +3,8 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,16 @@ struct KeyPress {
 struct WindowInput {
     std::vector<KeyPress> keys;
     std::vector<std::string> dropped; ///< files
-    glm::dvec2 mouse{0.0};            ///< way of the mouse, in screen coordinates; y down
-    double wheel = 0.0;               ///< notches; above 0: away from the user
+    /// Way of the mouse while only the left, right, middle button was down, in screen coordinates;
+    /// y down.
+    std::array<glm::dvec2, 3> drag{};
+    double wheel = 0.0; ///< notches; above 0: away from the user
+    /// Seconds that a key (GLFW_KEY_...) was down. However long a frame takes, no touch is lost.
+    std::map<int, double> held;
+    double held_seconds(int key) const {
+        const auto found = held.find(key);
+        return found == held.end() ? 0.0 : found->second;
+    }
 };
 
 /// The window on the screen, with the OpenGL context that everything is drawn in.
@@ -52,7 +62,6 @@ public:
     void poll(double wait_seconds);
     WindowInput take_input();
     bool is_down(int key) const;
-    bool is_button_down(int button) const;
     void set_clipboard(const std::string& text);
     void swap();
 
@@ -62,6 +71,8 @@ private:
     WindowInput input_;
     glm::dvec2 cursor_{0.0};
     bool cursor_known_ = false;
+    std::array<bool, 3> buttons_{};
+    std::map<int, double> down_since_; ///< keys; seconds on the clock of GLFW
 };
 
 } // namespace romascope
