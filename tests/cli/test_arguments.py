@@ -8,8 +8,16 @@ from helper import CliTest
 
 
 class Words(CliTest):
-    def test_no_command(self):
-        self.refuse(says=["command is missing", "render, compare", "--help"])
+    def test_no_command_is_a_window(self):
+        self.refuse(status=1, says=["no window can be opened", "DISPLAY", "romascope render"])
+        self.refuse("view", "scene.glb", status=1, says=["no window can be opened", "DISPLAY"])
+
+    def test_view_refuses_before_it_opens_a_window(self):
+        self.refuse("view", "nowhere.glb", says="nowhere.glb")
+        self.refuse("view", "halls", says="did you mean 'hall'")
+        self.refuse("view", "scene.glb", "--camera", "x", says="camera")
+        self.refuse("view", "scene.glb", "--set", "ao.rays=0", says="ao.rays")
+        self.refuse("view", "scene.glb", "--shaders", "nowhere", says="nowhere")
 
     def test_unknown_command(self):
         self.refuse("rendr", "scene.glb", says=["'rendr'", "did you mean 'render'"])
