@@ -46,7 +46,7 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
             check_image_extension(picture);
     if (wants_reference && !options.reference_samples)
         throw Error("--reference-output and --error-map need --reference N", kBadInput);
-    make_tracer(settings.get(kTracer)); // refuses a name there is not
+    check_tracer(settings);
     if (options.reference_samples)
         check_reference(settings, *options.reference_samples);
     options.memory.limit();

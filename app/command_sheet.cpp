@@ -120,7 +120,7 @@ Row show(const fs::path& file, Settings settings, const SheetOptions& options, b
 void check_options(const SheetOptions& options, const Settings& settings,
                    const std::vector<fs::path>& files) {
     check_image_extension(options.output);
-    make_tracer(settings.get(kTracer)); // refuses a name there is not
+    check_tracer(settings);
     check_reference(with_ambient_occlusion(settings), options.reference_samples);
     if (options.columns < 1 || options.columns > kMostColumns)
         throw Error(fmt::format("--columns takes 1 to {}", kMostColumns), kBadInput);

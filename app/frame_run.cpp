@@ -20,7 +20,7 @@ constexpr size_t kBytesPerPixel = 45, kComposedBytesPerPixel = 80;
 
 void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given) {
     const int width = settings.get(kWidth), height = settings.get(kHeight);
-    const bool composed = settings.get(kView) != PictureKind::ambient_occlusion;
+    const bool composed = !is_visibility(settings.get(kView));
     const size_t picture = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height) *
                            (composed ? kComposedBytesPerPixel : kBytesPerPixel);
     const std::string tracer = settings.get(kTracer);

@@ -3,6 +3,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/nearest_name.h"
+#include "renderer/tracers/structure_view.h"
 #include "shaders/common/random.h"
 
 #include <fmt/format.h>
@@ -40,6 +41,12 @@ std::unique_ptr<Tracer> make_tracer(const std::string& name) {
     throw Error(fmt::format("technique.tracer: unknown tracer '{}': did you mean '{}'?", name,
                             nearest_name(name, names)),
                 kBadInput);
+}
+
+void check_tracer(const Settings& settings) {
+    const std::unique_ptr<Tracer> tracer = make_tracer(settings.get(kTracer));
+    if (settings.get(kView) == PictureKind::structure)
+        chosen_structure_view(*tracer, settings);
 }
 
 Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose) {
@@ -112,13 +119,26 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     gbuffer_.draw(frame, view);
     tracer_->build(frame);
     ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
-    const bool composed = settings.get(kView) != PictureKind::ambient_occlusion;
-    if (composed)
-        compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
-    mean_.add(frame, composed ? compose_.picture() : ambient_occlusion_.visibility());
+    const Texture& picture = draw_picture(frame, view);
+    if (is_of_last_frame(settings.get(kView)))
+        mean_.reset();
+    mean_.add(frame, picture);
     ++frame_;
     timer_.collect();
     check_gl_error("the frame");
+}
+
+const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& view) {
+    const PictureKind kind = frame.settings.get(kView);
+    if (is_visibility(kind))
+        return ambient_occlusion_.visibility();
+    if (kind == PictureKind::structure) {
+        const Texture& picture = compose_.picture_of_size(view.size);
+        tracer_->draw_view(frame, chosen_structure_view(*tracer_, frame.settings), picture);
+        return picture;
+    }
+    compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
+    return compose_.picture();
 }
 
 Image Pipeline::picture() const {

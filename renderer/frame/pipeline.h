@@ -32,7 +32,8 @@ public:
     /// Frames in the mean.
     uint32_t frame_count() const { return mean_.count(); }
 
-    /// The mean as it stands: 1 channel for ambient occlusion, 3 for other views; linear.
+    /// The mean as it stands, of one frame for is_of_last_frame: 1 channel for ambient occlusion, 3
+    /// for other views; linear.
     Image picture() const;
 
     /// picture() as a screen shows it, see Present: RGBA8, row 0 at the top, without texels before
@@ -52,6 +53,7 @@ public:
 
 private:
     void restart_on_change(const Settings& settings, const Camera& camera);
+    const Texture& draw_picture(const FrameContext& frame, const View& view);
 
     ShaderLibrary shaders_;
     const Scene& source_;
@@ -82,5 +84,9 @@ Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame);
 
 /// A new tracer by its name. Throws Error (kBadInput) with the nearest name.
 std::unique_ptr<Tracer> make_tracer(const std::string& name);
+
+/// What the settings name of tracers: refuses one there is not, or a view it does not have. Throws
+/// Error (kBadInput).
+void check_tracer(const Settings& settings);
 
 } // namespace romascope

@@ -57,7 +57,7 @@ std::vector<ShaderVariant> all_shader_variants() {
     add(RunningMean::variant(GL_R32F));
     add(RunningMean::variant(GL_RGBA32F));
     for (const Settings& settings : settings_to_try()) {
-        if (settings.get(kView) != PictureKind::ambient_occlusion)
+        if (is_composed(settings.get(kView)))
             add(Compose::variant(settings));
         for (const TracerEntry& entry : tracers()) {
             const std::unique_ptr<Tracer> tracer = entry.make();

@@ -7,16 +7,48 @@
 namespace romascope {
 
 /// What the picture shows.
-enum class PictureKind { ambient_occlusion, lit, normal, base_color };
+enum class PictureKind {
+    ambient_occlusion,
+    ambient_occlusion_raw,
+    lit,
+    depth,
+    normal,
+    base_color,
+    structure
+};
 
 inline const Knob<PictureKind> kView{
     {.key = "frame.view",
      .unit = "",
      .help = "What the picture shows: ambient occlusion alone, the lit scene, or what the camera "
-             "sees of normals and base colours.",
+             "sees of depth, normals and base colours; ambient_occlusion_raw: of the last frame "
+             "alone; structure: a view of the visibility structure, see view.structure.",
      .source = "the estimate itself is what is measured"},
     PictureKind::ambient_occlusion,
-    {"ambient_occlusion", "lit", "normal", "base_color"}};
+    {"ambient_occlusion", "ambient_occlusion_raw", "lit", "depth", "normal", "base_color",
+     "structure"}};
+inline const Knob<double> kDepthRange{
+    {.key = "view.depth_range",
+     .unit = "scene diagonals",
+     .help = "The distance along the view at which the depth view, white at the camera, has become "
+             "black; the steps of a .png are equal lengths. Blue: nothing is there.",
+     .source = "the scene from end to end"},
+    1.0,
+    0.001,
+    1000.0};
+
+/// Whether the picture is one channel, what ambient occlusion estimated.
+inline bool is_visibility(PictureKind kind) {
+    return kind == PictureKind::ambient_occlusion || kind == PictureKind::ambient_occlusion_raw;
+}
+/// Whether the picture is the last frame alone, as what the frames have in it does not add up.
+inline bool is_of_last_frame(PictureKind kind) {
+    return kind == PictureKind::ambient_occlusion_raw || kind == PictureKind::structure;
+}
+/// Whether Compose::run draws the picture.
+inline bool is_composed(PictureKind kind) {
+    return !is_visibility(kind) && kind != PictureKind::structure;
+}
 
 /// What lights the lit view.
 enum class LightSource { automatic, sun, scene };
@@ -73,16 +105,18 @@ inline const Knob<double> kSunElevation{{.key = "lit.sun_elevation",
 
 /// Every knob of this folder.
 inline std::vector<const KnobBase*> compose_knobs() {
-    return {&kView,        &kLights,     &kHighlights,  &kSunStrength,
-            &kSkyStrength, &kSunAzimuth, &kSunElevation};
+    return {&kView,        &kLights,     &kHighlights,   &kSunStrength,
+            &kSkyStrength, &kSunAzimuth, &kSunElevation, &kDepthRange};
 }
 
-/// Makes the picture of a frame from the G-buffer and one frame's visibility. Not needed for
-/// PictureKind::ambient_occlusion, where the visibility is the picture.
+/// Makes the picture of a frame from the G-buffer and one frame's visibility, for the kinds that
+/// is_composed names.
 class Compose {
 public:
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
              const SceneLights& lights, const Texture& visibility);
+    /// The picture to be drawn by who knows it better, with what it held; RGBA32F, linear.
+    const Texture& picture_of_size(glm::ivec2 size);
     const Texture& picture() const { return picture_; } ///< RGBA32F, linear
     StructureBytes bytes() const { return {"picture", picture_.bytes()}; }
 

@@ -2,7 +2,7 @@
 #include "renderer/passes/present.h"
 
 #include "renderer/image/color.h"
-#include "renderer/passes/letterbox.h"
+#include "shaders/common/letterbox.h"
 
 namespace romascope {
 

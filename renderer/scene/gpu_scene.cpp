@@ -18,7 +18,7 @@ GpuScene::GpuScene(const Scene& scene)
       texcoords_(optional_attribute("texture coordinates", scene.texcoords)),
       colors_(optional_attribute("vertex colours", scene.colors)),
       indices_(Buffer::from("indices", std::span(scene.indices))), groups_(triangle_groups(scene)),
-      surfaces_(scene), bounds_(scene.bounds) {
+      surfaces_(scene), bounds_(scene.bounds), rest_diagonal_(glm::length(scene.bounds.extent())) {
     GLuint id = 0;
     glCreateVertexArrays(1, &id);
     vertex_array_ = GlHandle<delete_vertex_array>(id);

@@ -24,6 +24,8 @@ public:
     const Bounds& bounds() const { return bounds_; }
     /// For a scene that moves: of the vertices as they stand in this frame.
     void set_bounds(const Bounds& bounds) { bounds_ = bounds; }
+    /// Of the bounds that the scene came with, metres: whatever moves, it stays.
+    float rest_diagonal() const { return rest_diagonal_; }
     size_t bytes() const;
 
 private:
@@ -32,6 +34,7 @@ private:
     std::vector<TriangleGroup> groups_;
     GpuSurfaces surfaces_;
     Bounds bounds_;
+    float rest_diagonal_;
 };
 
 } // namespace romascope

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/occupancy/occupancy_map.h"
 #include "renderer/tracers/roma/roma_tracer.h"
+#include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
 namespace romascope {
@@ -18,6 +19,8 @@ std::vector<const KnobBase*> tracer_knobs() {
     for (const TracerEntry& entry : tracers())
         for (const KnobBase* knob : entry.knobs())
             all.push_back(knob);
+    for (const KnobBase* knob : structure_view_knobs())
+        all.push_back(knob);
     return all;
 }
 

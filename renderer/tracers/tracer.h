@@ -41,8 +41,15 @@ public:
     /// What `bytes()` can come to at most under these settings, whatever the scene; known before
     /// anything is built.
     virtual size_t bytes_needed(const Settings& settings) const = 0;
-    /// All programs of the build under these settings, for tests that compile them.
+    /// All programs of the build and of the views under these settings, for tests that compile
+    /// them.
     virtual std::vector<ShaderVariant> build_variants(const Settings& settings) const = 0;
+
+    /// Views of what was built, for people, by their names in lower-case words; a setting picks one
+    /// (structure_view.h).
+    virtual std::vector<std::string_view> views() const { return {}; }
+    /// Draws one of `views()` into `picture`, RGBA32F, linear, row 0 at the top, of any size.
+    virtual void draw_view(const FrameContext&, std::string_view, const Texture&) {}
 };
 
 /// What `romascope info` and the settings know of a tracer before there is one.

@@ -6,7 +6,8 @@
 // Out:  picture RGBA32F, linear
 // Host: FRAME_VIEW and FRAME_VIEW_*; LIT_HIGHLIGHTS and LIT_HIGHLIGHTS_*; sun_strength, sky_strength;
 //       sun_direction: unit, towards the sun; sun_shines 0 or 1; light_count; storage block 0:
-//       LightRecord, their colours exposed so that an irradiance of 1 is as strong as the sun's
+//       LightRecord, their colours exposed so that an irradiance of 1 is as strong as the sun's;
+//       depth_range: where depth is black, metres
 #include "shaders/common/surface.glsl"
 #include "shaders/passes/light.h"
 
@@ -20,6 +21,7 @@ uniform float sun_strength;
 uniform float sky_strength;
 uniform int sun_shines;
 uniform int light_count;
+uniform float depth_range;
 layout(std430, binding = 0) readonly buffer Lights { LightRecord lights[]; };
 
 const vec3 kSunColor = vec3(1.0, 0.93, 0.8);
@@ -58,6 +60,15 @@ vec3 with_soft_highlights(vec3 color) {
     return mix(color, bent, greaterThan(color, vec3(knee)));
 }
 
+/// Grey whose 8 bits fall evenly from the camera to depth_range; blue where nothing is.
+vec3 depth_color(ivec2 pixel, Surface surface) {
+    if (surface.background)
+        return vec3(0.02, 0.05, 0.2);
+    float depth = near_plane / texelFetch(gbuffer_depth, pixel, 0).x;
+    float grey = clamp(1.0 - depth / depth_range, 0.0, 1.0);
+    return vec3(grey <= 0.04045 ? grey / 12.92 : pow((grey + 0.055) / 1.055, 2.4));
+}
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, picture_size)))
@@ -68,6 +79,8 @@ void main() {
 #if LIT_HIGHLIGHTS == LIT_HIGHLIGHTS_SOFT
     color = with_soft_highlights(color);
 #endif
+#elif FRAME_VIEW == FRAME_VIEW_DEPTH
+    vec3 color = depth_color(pixel, surface);
 #elif FRAME_VIEW == FRAME_VIEW_NORMAL
     vec3 color = surface.background ? vec3(0.0) : surface.normal * 0.5 + 0.5;
 #elif FRAME_VIEW == FRAME_VIEW_BASE_COLOR

@@ -145,8 +145,21 @@ size_t RomaTracer::bytes_needed(const Settings& settings) const {
 }
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
-    return {OccupancyMap::variant(false), OccupancyMap::variant(true),
-            rotate_variant(settings, false), rotate_variant(settings, true)};
+    return {OccupancyMap::variant(false),    OccupancyMap::variant(true),
+            rotate_variant(settings, false), rotate_variant(settings, true),
+            OccupancySlice::variant(),       MapView::variant(settings, *this)};
+}
+
+std::vector<std::string_view> RomaTracer::views() const {
+    return {OccupancySlice::kName, MapView::kSlice, MapView::kColumns};
+}
+
+void RomaTracer::draw_view(const FrameContext& frame, std::string_view view,
+                           const Texture& picture) {
+    if (view == OccupancySlice::kName)
+        occupancy_slice_.draw(frame, occupancy_, picture);
+    else
+        map_view_.draw(frame, *this, static_cast<int>(directions_.size()), view, picture);
 }
 
 std::vector<uint32_t> RomaTracer::download_map(int index) const {

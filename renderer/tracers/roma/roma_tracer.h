@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/occupancy/occupancy_slice.h"
 #include "renderer/tracers/roma/directions.h"
+#include "renderer/tracers/roma/map_view.h"
 #include "renderer/tracers/tracer.h"
 
 namespace romascope {
@@ -71,6 +72,9 @@ public:
     std::vector<StructureBytes> bytes() const override;
     size_t bytes_needed(const Settings& settings) const override;
     std::vector<ShaderVariant> build_variants(const Settings& settings) const override;
+    std::vector<std::string_view> views() const override;
+    void draw_view(const FrameContext& frame, std::string_view view,
+                   const Texture& picture) override;
 
     // What was built, for tests and for views.
     const std::vector<glm::dvec3>& candidates() const { return candidates_; }
@@ -94,6 +98,8 @@ private:
     Buffer direction_buffer_; ///< std430 RomaDirection[]
     Buffer candidate_buffer_; ///< std140 RomaCandidates of roma_tracer.glsl
     Texture map_texture_;
+    OccupancySlice occupancy_slice_;
+    MapView map_view_;
 };
 
 std::unique_ptr<Tracer> make_roma_tracer();

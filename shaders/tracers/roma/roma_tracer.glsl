@@ -5,7 +5,8 @@
 //
 // Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss); for the
 //        candidate in a place of its order, turned to the side of the normal: tracer_candidate,
-//        tracer_candidate_any_hit, tracer_candidate_closest_hit
+//        tracer_candidate_any_hit, tracer_candidate_closest_hit; for views: aligned_map_size,
+//        aligned_map_word
 // In:    aligned_maps and directions as rotate.comp.glsl has them
 // Host:  ROMA_ANGULAR_RESOLUTION, ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_LAYERS_PER_MAP
 #include "shaders/tracers/roma/concentric.h"
@@ -22,6 +23,13 @@ layout(std140, binding = 4) uniform RomaCandidates {
     /// opposite can be traced as well; w: the map.
     vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
 };
+
+ivec3 aligned_map_size(int map) { return ivec3(ROMA_SIDE); }
+
+uint aligned_map_word(int map, ivec2 column, int word) {
+    ivec3 place = ivec3(column, map * ROMA_LAYERS_PER_MAP + word / ROMA_WORDS_PER_TEXEL);
+    return texelFetch(aligned_maps, place, 0)[word % ROMA_WORDS_PER_TEXEL];
+}
 
 vec3 tracer_candidate(int place) { return roma_candidates[place].xyz; }
 
