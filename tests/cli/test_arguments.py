@@ -104,7 +104,14 @@ class Values(CliTest):
         self.refuse_render("--error-map", "t.png", says="--reference N")
 
     def test_reference_of_another_view(self):
-        self.refuse_render("--reference", "1", "--set", "frame.view=lit", says="ambient_occlusion")
+        for view in ("lit", "ambient_occlusion_raw", "structure"):
+            self.refuse_render("--reference", "1", "--set", f"frame.view={view}",
+                               says="ambient_occlusion")
+
+    def test_view_of_a_structure(self):
+        self.refuse_render("--set", "frame.view=structure", "--set", "view.structure=trees",
+                           says=["view.structure", "'trees'", "occupancy_slice, map_slice"])
+        self.refuse_render("--set", "view.slice=1.1", says="0 to 1")
 
     def test_shader_folder(self):
         self.refuse_render("--shaders", "nowhere", says="nowhere")

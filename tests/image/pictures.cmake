@@ -33,3 +33,13 @@ picture_test(thin_fence_ao ARGS thin --camera fence --size 160x90 --frames 4 MAX
 picture_test(dancers_stalls_lit_at_0_7 ARGS dancers --camera stalls --time 0.7 --size 160x90 --frames 4 --set frame.view=lit MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(dancers_wing_ao_at_1_1 ARGS dancers --camera wing --time 1.1 --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(dancers_above_normal_moving ARGS dancers --camera above --fps 24 --size 160x90 --frames 9 --set frame.view=normal MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+
+# Views of intermediate results.
+set(cells "a triangle that grazes a cell's centre may fall to either side of it")
+picture_test(hall_nave_depth ARGS hall --camera nave --size 160x90 --set frame.view=depth MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(hall_nave_ao_raw ARGS hall --camera nave --size 160x90 --frames 3 --set frame.view=ambient_occlusion_raw MAX 2 FAILING 0.03 MEAN 1.5 REASON "a ray that grazes a cell may go the other way, which is one of a pixel's 4")
+picture_test(hall_occupancy_slice_y ARGS hall --size 160x90 --set frame.view=structure --set view.slice=0.4 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
+picture_test(hall_occupancy_slice_x ARGS hall --size 160x90 --set frame.view=structure --set view.axis=x --set occupancy.resolution=64 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
+picture_test(cornell_occupancy_slice_z ARGS cornell --size 90x160 --set frame.view=structure --set view.structure=occupancy_slice --set view.axis=z --set view.slice=0.4 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
+picture_test(hall_map_slice ARGS hall --size 160x90 --set frame.view=structure --set view.structure=map_slice --set view.map=5 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
+picture_test(hall_map_columns ARGS hall --size 160x90 --set frame.view=structure --set view.structure=map_columns --set view.map=255 MAX 2 FAILING 0.01 MEAN 0.5 REASON ${cells})
