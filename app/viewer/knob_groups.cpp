@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kTitles[] = {
     {"technique", "Technique"}, {"render", "Picture and camera"},
-    {"frame", "View"},          {"view", "Views of structures"},
+    {"frame", "View"},          {"view", "Depth and structures"},
     {"lit", "Lit view"},        {"occupancy", "Occupancy map"},
     {"roma", "ROMA"},           {"ao", "Ambient occlusion"},
 };
@@ -64,6 +64,11 @@ bool is_of_other_tracer(const KnobBase& knob, const std::string& chosen) {
     return of_any;
 }
 
+/// What a knob of views is for.
+PictureKind view_of(const KnobBase& knob) {
+    return &knob == &kDepthRange ? PictureKind::depth : PictureKind::structure;
+}
+
 } // namespace
 
 std::string_view group_key(const KnobBase& knob) {
@@ -102,6 +107,8 @@ bool matches(const KnobBase& knob, std::string_view filter) {
 
 bool is_in_use(const KnobBase& knob, const Settings& settings) {
     if (group_key(knob) == "lit" && settings.get(kView) != PictureKind::lit)
+        return false;
+    if (group_key(knob) == "view" && settings.get(kView) != view_of(knob))
         return false;
     return !is_of_other_tracer(knob, settings.get(kTracer));
 }

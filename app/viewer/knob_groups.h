@@ -31,7 +31,7 @@ std::string knob_label(const KnobBase& knob);
 bool matches(const KnobBase& knob, std::string_view filter);
 
 /// False for knobs that these settings make no use of: those of other tracers than the chosen one,
-/// and those of the lit view where it is not shown.
+/// and those of views that are not shown.
 bool is_in_use(const KnobBase& knob, const Settings& settings);
 
 } // namespace romascope

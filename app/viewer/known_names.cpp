@@ -3,6 +3,7 @@
 
 #include "app/viewer/session.h"
 #include "renderer/frame/technique.h"
+#include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
@@ -35,11 +36,23 @@ KnownNames animation_names(const Scene& scene) {
     return known;
 }
 
+KnownNames view_names(const Settings& settings) {
+    KnownNames known{.names = {{"", "the first", {}}}, .only_these = true, .empty = "the first"};
+    const std::string chosen = settings.get(kTracer);
+    for (const TracerEntry& tracer : tracers())
+        if (tracer.name == chosen)
+            for (const std::string_view view : tracer.make()->views())
+                known.names.push_back({std::string(view), std::string(view), {}});
+    return known;
+}
+
 } // namespace
 
 KnownNames known_names(const KnobBase& knob, const Session& session) {
     if (&knob == &kTracer)
         return tracer_names();
+    if (&knob == &kViewStructure)
+        return view_names(session.settings());
     if (&knob == &kCamera && session.has_scene())
         return camera_names(session.scene());
     if (&knob == &kAnimation && session.has_scene())

@@ -7,8 +7,8 @@ namespace romascope {
 
 class Session;
 
-/// What a text knob can name in this session: tracers, cameras and animations of the scene. Empty
-/// for other knobs.
+/// What a text knob can name in this session: tracers, views of the structure, cameras and
+/// animations of the scene. Empty for other knobs.
 KnownNames known_names(const KnobBase& knob, const Session& session);
 
 } // namespace romascope

@@ -37,7 +37,8 @@ public:
     Image picture() const;
 
     /// picture() as a screen shows it, see Present: RGBA8, row 0 at the top, without texels before
-    /// the first frame. Made anew by each call; show() brings it to a window.
+    /// the first frame. Made anew by each call; show() brings it to a window. Throws Error if its
+    /// shader does not compile.
     const Texture& shown() { return present_.run(shaders_, timer_, mean_.mean()); }
 
     /// Follows the files of a shader folder: if any changed, the mean starts anew, and true. What
