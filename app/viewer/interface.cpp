@@ -12,9 +12,13 @@
 #include <backends/imgui_impl_glfw.h>
 #include <backends/imgui_impl_opengl3.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <optional>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -65,12 +69,28 @@ void set_style(float scale) {
     ImGui::GetStyle() = style;
 }
 
-/// Pixels of the framebuffer per unit of the window's coordinates.
-float pixels_per_unit(GLFWwindow* window) {
-    int units = 0, pixels = 0, unused = 0;
-    glfwGetWindowSize(window, &units, &unused);
-    glfwGetFramebufferSize(window, &pixels, &unused);
-    return units > 0 && pixels > 0 ? static_cast<float>(pixels) / static_cast<float>(units) : 1.0f;
+/// Pixels of the framebuffer per unit of the window's coordinates; none while the window is being
+/// resized: the two sizes are asked for one after the other.
+std::optional<float> pixels_per_unit(GLFWwindow* window) {
+    int before = 0, pixels = 0, after = 0, height = 0;
+    glfwGetWindowSize(window, &before, &height);
+    glfwGetFramebufferSize(window, &pixels, &height);
+    glfwGetWindowSize(window, &after, &height);
+    if (before != after || before < 1 || pixels < 1)
+        return std::nullopt;
+    return static_cast<float>(pixels) / static_cast<float>(before);
+}
+
+/// Equal for equal pictures of the widgets.
+size_t fingerprint(const ImDrawData& drawn) {
+    size_t sum = 0;
+    for (int i = 0; i < drawn.CmdListsCount; ++i) {
+        const ImVector<ImDrawVert>& vertices = drawn.CmdLists[i]->VtxBuffer;
+        const std::string_view bytes(reinterpret_cast<const char*>(vertices.Data),
+                                     static_cast<size_t>(vertices.size_in_bytes()));
+        sum = sum * 31 + std::hash<std::string_view>{}(bytes);
+    }
+    return sum;
 }
 
 void load_layout(const std::filesystem::path& file) {
@@ -103,6 +123,13 @@ Interface::Interface(GLFWwindow* window, std::filesystem::path layout_file,
 }
 
 Interface::~Interface() {
+    if (context_->SettingsDirtyTimer > 0.0f) { // changed, and not yet saved
+        try {
+            save_layout();
+        } catch (const Error&) {
+            // Nobody is left to be told, and the next start has the default width.
+        }
+    }
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext(context_);
@@ -120,10 +147,10 @@ void Interface::set_scale(float scale) {
         ImGui_ImplOpenGL3_DestroyDeviceObjects(); // the next frame makes them anew
     }
     // Widgets are laid out in the window's units, which on some systems are larger than pixels.
-    const float ratio = pixels_per_unit(window_);
-    ImGui::GetIO().FontGlobalScale = 1.0f / ratio;
-    if (style_scale_ != scale_ / ratio) {
-        style_scale_ = scale_ / ratio;
+    pixels_per_unit_ = pixels_per_unit(window_).value_or(pixels_per_unit_);
+    ImGui::GetIO().FontGlobalScale = 1.0f / pixels_per_unit_;
+    if (style_scale_ != scale_ / pixels_per_unit_) {
+        style_scale_ = scale_ / pixels_per_unit_;
         set_style(style_scale_);
     }
 }
@@ -132,6 +159,7 @@ void Interface::begin_frame() {
     set_scale(scale_);
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
+    ImGui::GetIO().DisplayFramebufferScale = {pixels_per_unit_, pixels_per_unit_};
     ImGui::NewFrame();
     map_.begin_frame();
 }
@@ -141,13 +169,23 @@ Requests Interface::draw(Session& session, InterfaceState& state, const Activity
     if (state.panel)
         panel_.draw(session, state, activity, map_, requests);
     overlay_.draw(session.messages(), state, state.panel ? panel_.right_edge() : 0.0f, map_);
-    save_layout(session);
+    if (ImGui::GetIO().WantSaveIniSettings) {
+        try {
+            save_layout();
+        } catch (const Error& error) {
+            layout_file_.clear(); // once is enough
+            session.messages().tell(Severity::notice, error.what());
+        }
+    }
     map_.finish_frame(session, state);
     return requests;
 }
 
 void Interface::end_frame() {
     ImGui::Render();
+    const size_t now = fingerprint(*ImGui::GetDrawData());
+    is_settled_ = now == fingerprint_;
+    fingerprint_ = now;
     GLint framebuffer = 0, viewport[4] = {};
     glGetIntegerv(GL_DRAW_FRAMEBUFFER_BINDING, &framebuffer);
     glGetIntegerv(GL_VIEWPORT, viewport);
@@ -161,6 +199,8 @@ bool Interface::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Interface::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
 
 double Interface::seconds_to_change() const {
+    if (!is_settled_) // windows take a frame or two to be as large as what is in them
+        return 0.0;
     double seconds = kIdleSeconds;
     for (const auto& part : {panel_.seconds_to_change(), overlay_.seconds_to_change()})
         seconds = std::min(seconds, part.value_or(kIdleSeconds));
@@ -169,19 +209,13 @@ double Interface::seconds_to_change() const {
     return seconds;
 }
 
-void Interface::save_layout(Session& session) {
-    ImGuiIO& io = ImGui::GetIO();
-    if (!io.WantSaveIniSettings || layout_file_.empty())
+void Interface::save_layout() {
+    ImGui::GetIO().WantSaveIniSettings = false;
+    if (layout_file_.empty())
         return;
-    io.WantSaveIniSettings = false;
     size_t size = 0;
     const char* text = ImGui::SaveIniSettingsToMemory(&size);
-    try {
-        write_file_atomically(layout_file_, std::string(text, size));
-    } catch (const Error& error) {
-        layout_file_.clear(); // once is enough
-        session.messages().tell(Severity::notice, error.what());
-    }
+    write_file_atomically(layout_file_, std::string(text, size));
 }
 
 } // namespace romascope

@@ -45,7 +45,7 @@ public:
     double seconds_to_change() const;
 
 private:
-    void save_layout(Session& session);
+    void save_layout(); ///< Throws Error.
 
     GLFWwindow* window_;
     ImGuiContext* context_;
@@ -54,7 +54,10 @@ private:
     Panel panel_;
     Overlay overlay_;
     float scale_ = 0.0f;
+    float pixels_per_unit_ = 1.0f; ///< of the window's coordinates
     float style_scale_ = 0.0f;
+    size_t fingerprint_ = 0;  ///< of what was drawn last
+    bool is_settled_ = false; ///< it was the same as the time before
 };
 
 } // namespace romascope

@@ -17,7 +17,7 @@ namespace {
 
 // In heights of the font.
 constexpr float kPanelWidth = 29.0f;
-constexpr float kLeastPanelWidth = 18.0f;
+constexpr float kLeastWidth = 18.0f;
 constexpr float kCostsWidth = 24.0f;
 /// Without this much room beside the panel, the costs are its last part.
 constexpr float kLeastPicture = 12.0f;
@@ -57,15 +57,7 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
                  Requests& requests) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
-    const float least = std::min(kLeastPanelWidth * em, screen.x);
-    ImGui::SetNextWindowPos({0.0f, 0.0f});
-    ImGui::SetNextWindowSize({std::min(kPanelWidth * em, screen.x), screen.y},
-                             ImGuiCond_FirstUseEver);
-    ImGui::SetNextWindowSizeConstraints({least, screen.y}, {std::max(screen.x, least), screen.y});
-    right_edge_ = 0.0f;
-    const bool open = ImGui::Begin("romascope###panel", nullptr, ImGuiWindowFlags_NoMove);
-    if (!ImGui::IsWindowCollapsed())
-        right_edge_ = ImGui::GetWindowSize().x;
+    const bool open = begin_panel();
     const bool costs_apart = screen.x - right_edge_ > (kCostsWidth + kLeastPicture) * em;
     if (open) {
         draw_scene(session, map, requests);
@@ -80,6 +72,30 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
     ImGui::End();
     if (costs_apart)
         draw_costs(session, map);
+}
+
+/// As high as the window. Its width is the user's, but for as long as the window is too small.
+bool Panel::begin_panel() {
+    const ImVec2 screen = ImGui::GetIO().DisplaySize;
+    const float em = ImGui::GetFontSize();
+    const float least = std::min(kLeastWidth * em, screen.x);
+    const bool resized = screen.x != screen_width_;
+    screen_width_ = screen.x;
+    ImGui::SetNextWindowPos({0.0f, 0.0f});
+    if (resized && width_ > 0.0f)
+        ImGui::SetNextWindowSize({std::clamp(width_ * em, least, screen.x), screen.y});
+    else
+        ImGui::SetNextWindowSize({std::min(kPanelWidth * em, screen.x), screen.y},
+                                 ImGuiCond_FirstUseEver);
+    ImGui::SetNextWindowSizeConstraints({least, screen.y}, {screen.x, screen.y});
+    const bool open = ImGui::Begin("romascope###panel", nullptr, ImGuiWindowFlags_NoMove);
+    right_edge_ = 0.0f;
+    if (!ImGui::IsWindowCollapsed()) {
+        right_edge_ = ImGui::GetWindowSize().x;
+        if (!resized || width_ == 0.0f)
+            width_ = right_edge_ / em;
+    }
+    return open;
 }
 
 void Panel::draw_costs(Session& session, UiMap& map) {
@@ -204,12 +220,12 @@ void Panel::draw_picture(Session& session, InterfaceState& state, const Activity
     }
     ImGui::BeginDisabled(activity.screenshot.has_value() || !session.has_scene());
     const float whole = ImGui::GetContentRegionAvail().x;
-    requests.screenshot = ImGui::Button("Screenshot", {whole * 0.4f, 0.0f});
+    requests.screenshot = ImGui::Button("Screenshot", {whole * 0.35f, 0.0f});
     map.note("screenshot");
     if (is_hovered_for_long())
         tooltip("Saves the picture as it is seen (F12)");
     ImGui::SameLine();
-    requests.large_screenshot = ImGui::Button("at");
+    requests.large_screenshot = ImGui::Button("at size");
     map.note("large_screenshot");
     if (is_hovered_for_long())
         tooltip("Renders and saves it at this size (Shift+F12)");

@@ -26,6 +26,7 @@ public:
     std::optional<double> seconds_to_change() const { return costs_.seconds_to_change(); }
 
 private:
+    bool begin_panel();
     void draw_scene(Session& session, UiMap& map, Requests& requests);
     void draw_camera(Session& session, UiMap& map);
     void draw_time(Session& session, UiMap& map);
@@ -39,6 +40,8 @@ private:
     KnobList knobs_;
     Costs costs_;
     float right_edge_ = 0.0f;
+    float width_ = 0.0f;        ///< as the user has it, in heights of the font; 0: not known yet
+    float screen_width_ = 0.0f; ///< in the frame before
 };
 
 } // namespace romascope
