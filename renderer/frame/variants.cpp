@@ -4,6 +4,7 @@
 #include "renderer/frame/pipeline.h"
 #include "renderer/passes/deform.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/roma/roma_knobs.h"
 
 #include <algorithm>
 
@@ -37,6 +38,14 @@ std::vector<Settings> settings_to_try() {
     for (const int resolution : {33, 64, 65, 100, 129}) {
         settings.set(kOccupancyResolution, resolution);
         all.push_back(settings);
+    }
+    // Each with every alignment, which decides what many of them mean.
+    const size_t count = all.size();
+    for (size_t i = 0; i < count; ++i) {
+        for (const RomaAlignment alignment : {RomaAlignment::rotate, RomaAlignment::shear}) {
+            all.push_back(all[i]);
+            all.back().set(kRomaAlignment, alignment);
+        }
     }
     return all;
 }

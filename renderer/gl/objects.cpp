@@ -170,6 +170,29 @@ std::vector<GLuint> Texture::download_uint(int components) const {
     return data;
 }
 
+TexelBuffer::TexelBuffer(const std::string& label, GLenum format, size_t texels)
+    : format_(format), texels_(texels) {
+    const size_t bytes = texels * bytes_per_texel(format);
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    if (texels > static_cast<size_t>(most))
+        throw Error(fmt::format("the driver has no room for '{}' ({:.1f} MiB, it takes {} texels): "
+                                "choose a smaller size",
+                                label, static_cast<double>(bytes) / (1 << 20), most));
+    buffer_ = Buffer(label, bytes);
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    handle_ = GlHandle<delete_texture>(id);
+    set_label(GL_TEXTURE, id, label);
+    glTextureBuffer(id, format, buffer_.id());
+}
+
+void TexelBuffer::bind(GLuint unit) const { glBindTextureUnit(unit, handle_.id()); }
+
+void TexelBuffer::bind_image(GLuint unit, GLenum access) const {
+    glBindImageTexture(unit, handle_.id(), 0, GL_FALSE, 0, access, format_);
+}
+
 Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colors,
                          const Texture* depth) {
     GLuint id = 0;

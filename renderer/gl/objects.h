@@ -105,6 +105,29 @@ private:
     glm::ivec3 size_{0};
 };
 
+/// A row of texels in a buffer, fetched as a texture and written as an image, each texel by its
+/// place alone. Throws Error if the driver cannot hold it.
+class TexelBuffer {
+public:
+    TexelBuffer() = default;
+    /// Zeroed.
+    TexelBuffer(const std::string& label, GLenum format, size_t texels);
+
+    GLenum format() const { return format_; }
+    size_t texels() const { return texels_; }
+    size_t bytes() const { return buffer_.bytes(); }
+    void bind(GLuint unit) const;
+    void bind_image(GLuint unit, GLenum access) const;
+    /// All texels, the components of each after one another.
+    std::vector<GLuint> download() const { return buffer_.download<GLuint>(); }
+
+private:
+    Buffer buffer_;
+    GlHandle<delete_texture> handle_;
+    GLenum format_ = 0;
+    size_t texels_ = 0;
+};
+
 /// A framebuffer of textures, or of a size alone for passes that write by image stores only.
 class Framebuffer {
 public:

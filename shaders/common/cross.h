@@ -8,6 +8,7 @@
 #include <glm/glm.hpp>
 #include <glm/integer.hpp>
 namespace romascope::gpu {
+using glm::abs;
 using glm::bitfieldReverse;
 using glm::ceil;
 using glm::clamp;

@@ -3,49 +3,13 @@
 // double precision that shares no code with them.
 #include "renderer/tracers/roma/roma_cpu.h"
 #include "shaders/tracers/roma/concentric.h"
-#include "tests/gl/gl_test.h"
+#include "tests/gl/roma_rays.h"
 
 #include <bit>
 #include <cmath>
 
 namespace romascope {
 namespace {
-
-/// Traces given rays with the tracer's own GLSL. In: 4 vec4 per ray (point, normal, direction with
-/// t_max, candidate and sign). Out: any-hit, closest distance, both of the snapped direction; and
-/// for the candidate in a place of the walk its map, the cosine to the normal, any-hit, distance.
-constexpr const char* kRayShader = R"(
-#include "tracer.glsl"
-layout(local_size_x = 64) in;
-struct Ray { vec4 point; vec4 normal; vec4 direction; ivec4 choice; };
-layout(std430, binding = 0) readonly buffer Rays { Ray rays[]; };
-struct Result { vec4 given; vec4 chosen; };
-layout(std430, binding = 1) writeonly buffer Results { Result results[]; };
-uniform int count;
-void main() {
-    int i = int(gl_GlobalInvocationID.x);
-    if (i >= count)
-        return;
-    Ray ray = rays[i];
-    vec3 point = ray.point.xyz, normal = ray.normal.xyz;
-    float t_max = ray.direction.w;
-    int map = ray.choice.x;
-    bool forward = ray.choice.y != 0;
-    results[i].given = vec4(roma_any_hit(map, forward, point, normal, t_max) ? 1.0 : 0.0,
-                      roma_closest_hit(map, forward, point, normal, t_max),
-                      tracer_any_hit(point, normal, ray.direction.xyz, t_max) ? 1.0 : 0.0,
-                      tracer_closest_hit(point, normal, ray.direction.xyz, t_max));
-    int place = i % TRACER_CANDIDATE_COUNT;
-    results[i].chosen = vec4(float(int(roma_candidates[place].w)), dot(tracer_candidate(place), normal),
-                     tracer_candidate_any_hit(place, point, normal, t_max) ? 1.0 : 0.0,
-                     tracer_candidate_closest_hit(place, point, normal, t_max));
-}
-)";
-
-struct Ray {
-    glm::vec4 point, normal, direction; ///< direction.w: t_max
-    glm::ivec4 choice;                  ///< candidate, 1 along it or 0 against it
-};
 
 struct Case {
     glm::ivec3 size;
@@ -69,62 +33,28 @@ protected:
         const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
         const GpuScene gpu_scene(any);
         tracer_ = std::make_unique<RomaTracer>();
-        tracer_->rotate(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
-                        bounds_);
-        for (const gpu::RomaDirection& direction : tracer_->maps())
+        tracer_->align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
+                       bounds_);
+        for (const gpu::RomaDirection& direction : tracer_->rotation().directions())
             maps_.push_back(rotate_on_cpu(base_, direction, c.side));
     }
 
-    /// Some start within the scene, some far outside; reaches from nothing to infinity.
-    std::vector<Ray> random_rays(int count) {
-        std::uniform_real_distribution<float> unit(-0.3f, 1.3f);
-        std::uniform_real_distribution<float> reach(0.0f, 1.0f);
-        std::uniform_int_distribution<int> map(0, static_cast<int>(maps_.size()) - 1);
-        std::vector<Ray> rays;
-        for (int i = 0; i < count; ++i) {
-            const glm::vec3 place(unit(random_), unit(random_), unit(random_));
-            const float diagonal = glm::length(bounds_.extent());
-            const float t_max = i % 4 == 0    ? std::numeric_limits<float>::infinity()
-                                : i % 17 == 0 ? 0.0f
-                                              : diagonal * reach(random_) * reach(random_);
-            rays.push_back({glm::vec4(bounds_.min + place * bounds_.extent(), 0.0f),
-                            glm::vec4(random_direction(random_), 0.0f),
-                            glm::vec4(random_direction(random_), t_max),
-                            {map(random_), i % 2, 0, 0}});
-        }
-        return rays;
+    std::vector<RomaTestRay> random_rays(int count) {
+        return random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), count);
     }
 
-    struct Result {
-        glm::vec4 given, chosen; ///< as the shader above writes them
-    };
-
-    std::vector<Result> trace_on_gpu(const std::vector<Ray>& rays) {
-        shaders_.add("test/rays.comp.glsl", kRayShader);
-        ProgramSlot slot;
-        const Program& program = slot.get(shaders_, {"rays",
-                                                     {{GL_COMPUTE_SHADER, "test/rays.comp.glsl"}},
-                                                     tracer_->shader_defines(settings_),
-                                                     {{"tracer.glsl", tracer_->shader_file()}}});
-        const Buffer in = Buffer::from("rays", std::span(rays));
-        const Buffer out("results", rays.size() * sizeof(Result));
-        program.use();
-        program.set("count", static_cast<int>(rays.size()));
-        in.bind(GL_SHADER_STORAGE_BUFFER, 0);
-        out.bind(GL_SHADER_STORAGE_BUFFER, 1);
-        tracer_->bind(program);
-        program.dispatch_covering({static_cast<int>(rays.size()), 1, 1});
-        return out.download<Result>();
+    std::vector<RomaTestResult> trace_on_gpu(const std::vector<RomaTestRay>& rays) {
+        return trace_roma_rays(shaders_, *tracer_, settings_, rays);
     }
 
-    gpu::RomaRay on_cpu(const Ray& ray, int map, bool forward) const {
+    gpu::RomaRay on_cpu(const RomaTestRay& ray, int map, bool forward) const {
         const glm::vec3 relative = glm::vec3(ray.point) - bounds_.centre();
         return gpu::roma_ray(maps_[static_cast<size_t>(map)].direction, forward, relative,
                              glm::vec3(ray.normal), ray.direction.w,
                              settings_.get(kOccupancyResolution));
     }
 
-    float distance_on_cpu(const Ray& ray, int map, bool forward) const {
+    float distance_on_cpu(const RomaTestRay& ray, int map, bool forward) const {
         const AlignedMap& aligned = maps_[static_cast<size_t>(map)];
         const auto hit = closest_hit_on_cpu(aligned, on_cpu(ray, map, forward));
         return hit ? *hit * aligned.direction.row_v.w : -1.0f;
@@ -145,7 +75,7 @@ TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
     prepare(GetParam(), 11);
     size_t set = 0;
     for (size_t i = 0; i < maps_.size(); ++i) {
-        const std::vector<uint32_t> words = tracer_->download_map(static_cast<int>(i));
+        const std::vector<uint32_t> words = tracer_->rotation().download_map(static_cast<int>(i));
         ASSERT_EQ(words.size(), maps_[i].words.size());
         EXPECT_EQ(words, maps_[i].words) << "map " << i;
         for (const uint32_t word : words)
@@ -156,8 +86,8 @@ TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
 
 TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
     prepare(GetParam(), 12);
-    const std::vector<Ray> rays = random_rays(20000);
-    const std::vector<Result> results = trace_on_gpu(rays);
+    const std::vector<RomaTestRay> rays = random_rays(20000);
+    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
     size_t hits = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         const int map = rays[i].choice.x;
@@ -234,14 +164,14 @@ std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, glm::
 
 TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     prepare(GetParam(), 13);
-    const std::vector<Ray> rays = random_rays(20000);
-    const std::vector<Result> results = trace_on_gpu(rays);
+    const std::vector<RomaTestRay> rays = random_rays(20000);
+    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
     const double longest_turn =
         glm::length(glm::dvec3(bounds_.extent()) + 2.0 * grid_.cell_size) / GetParam().side;
     const double offset = settings_.get(kRomaNormalOffset) * longest_turn;
     size_t compared = 0, hits = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
-        const Ray& ray = rays[i];
+        const RomaTestRay& ray = rays[i];
         bool ambiguous = false;
         const auto expected =
             walk(base_, grid_, bounds_.centre(), maps_[static_cast<size_t>(ray.choice.x)].direction,
@@ -274,13 +204,13 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(RomaTest, TheSameSeedGivesTheSameMaps) {
     prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
-    const std::vector<uint32_t> first = tracer_->download_map(3);
+    const std::vector<uint32_t> first = tracer_->rotation().download_map(3);
     maps_.clear();
     prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
-    EXPECT_EQ(tracer_->download_map(3), first);
+    EXPECT_EQ(tracer_->rotation().download_map(3), first);
     maps_.clear();
     prepare({{40, 30, 20}, 40, 4, 0.05}, 6);
-    EXPECT_NE(tracer_->download_map(3), first);
+    EXPECT_NE(tracer_->rotation().download_map(3), first);
 }
 
 } // namespace

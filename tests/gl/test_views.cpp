@@ -106,41 +106,51 @@ TEST_F(ViewsTest, AnOccupancySliceShowsTheBits) {
 TEST_F(ViewsTest, AnAlignedMapShowsItsBits) {
     const Scene scene = clutter();
     const GpuScene gpu_scene(scene);
-    for (const int side : {32, 45, 100, 129}) { // each layout of columns
-        settings_.set(kOccupancyResolution, side);
-        RomaTracer tracer;
-        tracer.build(frame(gpu_scene, settings_));
-        const size_t words = static_cast<size_t>(side + 31) / 32;
-        int occupied = 0;
-        for (const int map : {0, 7, 200}) {
-            settings_.set(kViewMap, map);
-            const std::vector<uint32_t> bits = tracer.download_map(std::min(map, 15));
-            const auto column = [&](glm::ivec2 place) {
-                const int up = side - 1 - place.y;
-                return std::span(&bits[static_cast<size_t>(up * side + place.x) * words], words);
-            };
-            const Texture picture = blank(glm::ivec2(2 * side) + glm::ivec2(4, 0));
-            for (const double fraction : {0.0, 0.47, 1.0}) {
-                settings_.set(kViewSlice, fraction);
-                const auto cell = static_cast<size_t>(
-                    std::min(static_cast<float>(fraction) * static_cast<float>(side),
-                             static_cast<float>(side - 1)));
-                tracer.draw_view(frame(gpu_scene, settings_), "map_slice", picture);
-                expect_plane(picture, glm::ivec2(side), 2, [&](glm::ivec2 place) {
-                    const uint32_t bit = column(place)[cell / 32] >> (cell % 32) & 1u;
-                    occupied += static_cast<int>(bit);
-                    return static_cast<float>(bit);
+    for (const RomaAlignment alignment : {RomaAlignment::rotate, RomaAlignment::shear}) {
+        for (const int side : {32, 45, 100, 129}) { // each layout of columns
+            settings_.set(kRomaAlignment, alignment);
+            settings_.set(kOccupancyResolution, side);
+            RomaTracer tracer;
+            tracer.build(frame(gpu_scene, settings_));
+            int occupied = 0;
+            for (const int map : {0, 7, 200}) {
+                settings_.set(kViewMap, map);
+                const int index = std::min(map, 15);
+                const bool sheared = alignment == RomaAlignment::shear;
+                const glm::ivec3 size =
+                    sheared ? tracer.shearing().frame().size(static_cast<size_t>(index))
+                            : glm::ivec3(side);
+                const std::vector<uint32_t> bits = sheared ? tracer.shearing().download_map(index)
+                                                           : tracer.rotation().download_map(index);
+                const size_t words = static_cast<size_t>(size.z + 31) / 32;
+                const auto column = [&](glm::ivec2 place) {
+                    const int up = size.y - 1 - place.y;
+                    return std::span(&bits[static_cast<size_t>(up * size.x + place.x) * words],
+                                     words);
+                };
+                const Texture picture = blank(2 * glm::ivec2(size) + glm::ivec2(4, 0));
+                for (const double fraction : {0.0, 0.47, 1.0}) {
+                    settings_.set(kViewSlice, fraction);
+                    const auto cell = static_cast<size_t>(
+                        std::min(static_cast<float>(fraction) * static_cast<float>(size.z),
+                                 static_cast<float>(size.z - 1)));
+                    tracer.draw_view(frame(gpu_scene, settings_), "map_slice", picture);
+                    expect_plane(picture, glm::ivec2(size), 2, [&](glm::ivec2 place) {
+                        const uint32_t bit = column(place)[cell / 32] >> (cell % 32) & 1u;
+                        occupied += static_cast<int>(bit);
+                        return static_cast<float>(bit);
+                    });
+                }
+                tracer.draw_view(frame(gpu_scene, settings_), "map_columns", picture);
+                expect_plane(picture, glm::ivec2(size), 2, [&](glm::ivec2 place) {
+                    int count = 0;
+                    for (const uint32_t word : column(place))
+                        count += std::popcount(word);
+                    return static_cast<float>(count) / static_cast<float>(size.z);
                 });
             }
-            tracer.draw_view(frame(gpu_scene, settings_), "map_columns", picture);
-            expect_plane(picture, glm::ivec2(side), 2, [&](glm::ivec2 place) {
-                int count = 0;
-                for (const uint32_t word : column(place))
-                    count += std::popcount(word);
-                return static_cast<float>(count) / static_cast<float>(side);
-            });
+            EXPECT_GT(occupied, 100) << "or there was nothing to see";
         }
-        EXPECT_GT(occupied, 100) << "or there was nothing to see";
     }
 }
 

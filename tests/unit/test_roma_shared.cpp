@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The lines that CPU and GPU share: bit ranges, spans, the mapping of directions to strata.
+#include "renderer/tracers/roma/directions.h"
 #include "renderer/tracers/roma/roma_cpu.h"
 #include "shaders/common/bits.h"
 #include "shaders/common/exact_math.h"

@@ -22,31 +22,21 @@ AlignedMap rotate_on_cpu(const BitGrid& base, const gpu::RomaDirection& directio
     return map;
 }
 
-bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray) {
-    if (ray.span.first > ray.span.last)
-        return false;
-    const uint32_t* column = map.column(ray.span.column);
-    uint32_t occupied = 0;
-    for (int word = 0; word < map.words_per_column(); ++word)
-        occupied |= column[word] & gpu::bits_in_range(word, ray.span.first, ray.span.last);
-    return occupied != 0;
+bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray, int escape) {
+    return closest_hit_on_cpu(map, ray, escape).has_value();
 }
 
-std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray) {
+std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray,
+                                        int escape) {
     if (ray.span.first > ray.span.last)
         return std::nullopt;
-    const uint32_t* column = map.column(ray.span.column);
-    const int count = map.words_per_column();
-    for (int i = 0; i < count; ++i) {
-        const int word = ray.forward ? i : count - 1 - i;
-        const uint32_t bits =
-            column[word] & gpu::bits_in_range(word, ray.span.first, ray.span.last);
-        if (bits == 0)
-            continue;
-        const int bit = ray.forward ? gpu::findLSB(bits) : gpu::findMSB(bits);
-        return gpu::roma_hit_distance(32 * word + bit, ray.surface, ray.forward);
-    }
-    return std::nullopt;
+    const std::span<const uint32_t> column(map.column(ray.span.column),
+                                           static_cast<size_t>(map.words_per_column()));
+    const gpu::RomaSpan cells = escaped_on_cpu(column, ray.span, ray.forward, escape);
+    const std::optional<int> slice = closest_hit_in_column(column, cells, ray.forward);
+    if (!slice)
+        return std::nullopt;
+    return gpu::roma_hit_distance(*slice, ray.surface, ray.forward);
 }
 
 } // namespace romascope

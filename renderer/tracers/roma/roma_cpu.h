@@ -3,7 +3,8 @@
 // plain loops. Tests compare it bit for bit with the shaders.
 #pragma once
 
-#include "renderer/tracers/roma/directions.h"
+#include "renderer/tracers/roma/aligned_box.h"
+#include "renderer/tracers/roma/column_cpu.h"
 
 #include <optional>
 #include <vector>
@@ -24,9 +25,11 @@ struct AlignedMap {
 
 AlignedMap rotate_on_cpu(const BitGrid& base, const gpu::RomaDirection& direction, int side);
 
-bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray);
+/// `escape`: occupied cells that are skipped at the start of the ray.
+bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray, int escape = 0);
 
 /// Distance in cells from the surface; nothing for a miss.
-std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray);
+std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray,
+                                        int escape = 0);
 
 } // namespace romascope

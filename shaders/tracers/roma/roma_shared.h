@@ -7,8 +7,7 @@
 // coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k,
 // k+1).
 #pragma once
-#include "shaders/common/bits.h"
-#include "shaders/common/cross.h"
+#include "shaders/tracers/roma/span.h"
 #ifdef __cplusplus
 namespace romascope::gpu {
 #endif
@@ -16,10 +15,6 @@ namespace romascope::gpu {
 /// Fraction bits of the fixed-point base map coordinates. The sign and 11 bits of whole cells are
 /// left: corners of a box around 256 cells lie within some 400 cells of the middle.
 const int kRomaFractionBits = 20;
-
-/// From here on a distance has no end. Tested with a comparison that a compiler can decide where
-/// the distance is a constant; then nothing is spent on it.
-const float kRomaUnbounded = 3.0e38f;
 
 /// One aligned map. Laid out for std430.
 struct RomaDirection {
@@ -52,51 +47,19 @@ SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point, int side) {
     return vec3(u, v, w);
 }
 
-/// The cells a snapped ray passes: bits first..last of one column; none if first > last.
-struct RomaSpan {
-    ivec2 column;
-    int first;
-    int last;
-};
-
-/// `start`: aligned coordinates of the ray's origin, moved off the surface; it may lie outside.
-/// `surface`: third aligned coordinate of the surface point itself, from which `reach` counts.
-/// `reach`: how far the ray goes, in cells; infinity allowed. A cell counts if the ray enters it
-/// before its end. `forward`: along the candidate direction, else against it.
+/// The cells that a snapped ray passes. `start`: aligned coordinates of the ray's origin, moved off
+/// the surface; it may lie outside. The others as for roma_slices.
 SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forward, int side) {
-    RomaSpan span;
-    float limit = float(side);
+    RomaSpan span = roma_slices(start.z, surface, reach, forward, side);
     // Clamped before they become integers, which infinities and far points could not.
-    // A ray that starts on a face between two cells is in the one ahead of it.
-    float at = clamp(start.z, -1.0f, limit + 1.0f);
-    int below = int(floor(forward ? at : -at));
-    int from = forward ? below : -below - 1;
+    float limit = float(side);
     span.column =
         ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
-    span.first = forward ? from : 0;
-    span.last = forward ? side - 1 : from;
-    if (reach < kRomaUnbounded) {
-        EXACT float end = forward ? surface + reach : surface - reach;
-        end = clamp(end, -1.0f, limit + 1.0f);
-        if (forward)
-            span.last = min(int(ceil(end)) - 1, side - 1);
-        else
-            span.first = max(int(floor(end)), 0);
-    }
-    span.first = max(span.first, 0);
-    span.last = min(span.last, side - 1);
     // As unsigned numbers, those below 0 are beyond the end as well.
     if (uint(span.column.x) >= uint(side) || uint(span.column.y) >= uint(side))
         span.last = span.first - 1;
     return span;
 }
-
-/// A snapped ray in one aligned map.
-struct RomaRay {
-    RomaSpan span;
-    float surface; ///< third aligned coordinate of the surface point
-    bool forward;
-};
 
 /// `point`: the surface point in metres from the centre of the box; `normal`: unit. `t_max`: metres
 /// from the surface point, infinity allowed.
@@ -116,12 +79,6 @@ SHARED_FN bool roma_is_forward(RomaDirection map, vec3 direction) {
     EXACT float along =
         direction.x * map.row_w.x + direction.y * map.row_w.y + direction.z * map.row_w.z;
     return along >= 0.0f;
-}
-
-/// Distance in cells from the surface to where the ray enters the cell, not below 0.
-SHARED_FN float roma_hit_distance(int cell, float surface, bool forward) {
-    EXACT float distance = forward ? float(cell) - surface : surface - float(cell + 1);
-    return max(distance, 0.0f);
 }
 
 #ifdef __cplusplus

@@ -7,16 +7,14 @@
 //        candidate in a place of its order, turned to the side of the normal: tracer_candidate,
 //        tracer_candidate_any_hit, tracer_candidate_closest_hit; for views: aligned_map_size,
 //        aligned_map_word
-// In:    aligned_maps and directions as rotate.comp.glsl has them
-// Host:  ROMA_ANGULAR_RESOLUTION, ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_LAYERS_PER_MAP
+// In:    rotated_maps.glsl or sheared_maps.glsl
+// Host:  ROMA_SHEAR 0 or 1, ROMA_ANGULAR_RESOLUTION, ROMA_WORDS_PER_TEXEL, ROMA_TEXELS_PER_COLUMN,
+//        ROMA_ESCAPE
 #include "shaders/tracers/roma/concentric.h"
-#include "shaders/tracers/roma/roma_shared.h"
-
+#include "shaders/tracers/roma/span.h" // before the choice: a file is taken once, in either branch
 #define TRACER_CANDIDATE_COUNT (ROMA_ANGULAR_RESOLUTION * ROMA_ANGULAR_RESOLUTION)
-#define ROMA_WORDS (ROMA_WORDS_PER_TEXEL * ROMA_LAYERS_PER_MAP)
+#define ROMA_WORDS (ROMA_WORDS_PER_TEXEL * ROMA_TEXELS_PER_COLUMN)
 
-layout(binding = 4) uniform usampler2DArray aligned_maps;
-layout(std430, binding = 4) readonly buffer RomaDirections { RomaDirection roma_directions[]; };
 layout(std140, binding = 4) uniform RomaCandidates {
     vec4 roma_centre; ///< of the scene, metres; w unused
     /// Candidates in an order in which neighbours have similar directions; xyz: unit direction, whose
@@ -24,34 +22,42 @@ layout(std140, binding = 4) uniform RomaCandidates {
     vec4 roma_candidates[TRACER_CANDIDATE_COUNT];
 };
 
-ivec3 aligned_map_size(int map) { return ivec3(ROMA_SIDE); }
-
-uint aligned_map_word(int map, ivec2 column, int word) {
-    ivec3 place = ivec3(column, map * ROMA_LAYERS_PER_MAP + word / ROMA_WORDS_PER_TEXEL);
-    return texelFetch(aligned_maps, place, 0)[word % ROMA_WORDS_PER_TEXEL];
-}
+#if ROMA_SHEAR
+#include "shaders/tracers/roma/sheared_maps.glsl"
+#else
+#include "shaders/tracers/roma/rotated_maps.glsl"
+#endif
 
 vec3 tracer_candidate(int place) { return roma_candidates[place].xyz; }
 
-RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
-    precise vec3 relative = point - roma_centre.xyz;
-    return roma_ray(roma_directions[map], forward, relative, normal, t_max, ROMA_SIDE);
-}
-
-/// The words of the ray's column, cut to the cells it passes. A ray without an end passes all cells
-/// on one side of its start, which takes half a mask.
-void roma_column(int map, RomaRay ray, bool unbounded, out uint words[ROMA_WORDS]) {
-    RomaSpan span = ray.span;
-    int border = ray.forward ? span.first : span.last + 1;
-    for (int part = 0; part < ROMA_LAYERS_PER_MAP; ++part) {
-        ivec3 place = ivec3(span.column, map * ROMA_LAYERS_PER_MAP + part);
-        uvec4 texel = texelFetch(aligned_maps, place, 0);
-        for (int i = 0; i < ROMA_WORDS_PER_TEXEL; ++i) {
-            int word = part * ROMA_WORDS_PER_TEXEL + i;
-            words[word] = texel[i] & (unbounded ? bits_from(word, border, !ray.forward)
-                                                : bits_in_range(word, span.first, span.last));
-        }
+#if ROMA_ESCAPE
+/// The cells without those that the ray leaves its surface through.
+RomaSpan roma_escape(uint words[ROMA_WORDS], RomaSpan span, bool forward) {
+    int at = span.start >> 5;
+    int after = forward ? at + 1 : at - 1;
+    uint here = 0u, next = 0u;
+    for (int word = 0; word < ROMA_WORDS; ++word) {
+        here = word == at ? words[word] : here;
+        next = word == after ? words[word] : next;
     }
+    return roma_escaped(span, roma_run(here, next, span.start, forward, ROMA_ESCAPE), forward);
+}
+#endif
+
+/// The words of the ray's column, cut to the cells it passes.
+void roma_column(int map, RomaRay ray, bool unbounded, out uint words[ROMA_WORDS]) {
+    ROMA_PLACE place = roma_place(map, ray.span.column);
+    for (int part = 0; part < ROMA_TEXELS_PER_COLUMN; ++part) {
+        uvec4 texel = roma_texel(map, place, part);
+        for (int i = 0; i < ROMA_WORDS_PER_TEXEL; ++i)
+            words[part * ROMA_WORDS_PER_TEXEL + i] = texel[i];
+    }
+    RomaSpan span = ray.span;
+#if ROMA_ESCAPE
+    span = roma_escape(words, span, ray.forward);
+#endif
+    for (int word = 0; word < ROMA_WORDS; ++word)
+        words[word] &= roma_mask(word, span, ray.forward, unbounded);
 }
 
 bool roma_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
@@ -84,28 +90,25 @@ float roma_closest_hit(int map, bool forward, vec3 point, vec3 normal, float t_m
     }
     if (cell < 0)
         return -1.0;
-    return roma_hit_distance(cell, ray.surface, forward) * roma_directions[map].row_v.w;
+    return roma_hit_distance(cell, ray.surface, forward) * roma_metres_per_slice(map);
 }
 
 bool tracer_candidate_any_hit(int place, vec3 point, vec3 normal, float t_max) {
     int map = int(roma_candidates[place].w);
-    return roma_any_hit(map, roma_is_forward(roma_directions[map], normal), point, normal, t_max);
+    return roma_any_hit(map, roma_forward_in(map, normal), point, normal, t_max);
 }
 
 float tracer_candidate_closest_hit(int place, vec3 point, vec3 normal, float t_max) {
     int map = int(roma_candidates[place].w);
-    bool forward = roma_is_forward(roma_directions[map], normal);
-    return roma_closest_hit(map, forward, point, normal, t_max);
+    return roma_closest_hit(map, roma_forward_in(map, normal), point, normal, t_max);
 }
 
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
     int map = stratum_of_direction(direction, ROMA_ANGULAR_RESOLUTION);
-    bool forward = roma_is_forward(roma_directions[map], direction);
-    return roma_any_hit(map, forward, point, normal, t_max);
+    return roma_any_hit(map, roma_forward_in(map, direction), point, normal, t_max);
 }
 
 float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
     int map = stratum_of_direction(direction, ROMA_ANGULAR_RESOLUTION);
-    bool forward = roma_is_forward(roma_directions[map], direction);
-    return roma_closest_hit(map, forward, point, normal, t_max);
+    return roma_closest_hit(map, roma_forward_in(map, direction), point, normal, t_max);
 }

@@ -4,8 +4,8 @@
 //
 // In:   base_map     R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
 //       directions   one RomaDirection per map
-// Out:  aligned_maps layer = map * ROMA_LAYERS_PER_MAP + part; a texel holds up to four words
-// Host: ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_LAYERS_PER_MAP, ROMA_FORMAT, ROMA_GROUP_WORDS
+// Out:  aligned_maps layer = map * ROMA_TEXELS_PER_COLUMN + part; a texel holds up to four words
+// Host: ROMA_SIDE, ROMA_WORDS_PER_TEXEL, ROMA_TEXELS_PER_COLUMN, ROMA_FORMAT, ROMA_GROUP_WORDS
 #include "shaders/tracers/roma/roma_shared.h"
 
 layout(local_size_x = 8, local_size_y = 8, local_size_z = ROMA_GROUP_WORDS) in;
@@ -41,8 +41,8 @@ uint aligned_word(RomaDirection map, ivec2 column, int word) {
 void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID.xy);
     int layer = int(gl_WorkGroupID.z);
-    RomaDirection map = directions[layer / ROMA_LAYERS_PER_MAP];
-    int first_word = (layer % ROMA_LAYERS_PER_MAP) * ROMA_WORDS_PER_TEXEL;
+    RomaDirection map = directions[layer / ROMA_TEXELS_PER_COLUMN];
+    int first_word = (layer % ROMA_TEXELS_PER_COLUMN) * ROMA_WORDS_PER_TEXEL;
     uvec4 texel = uvec4(0u);
 #if ROMA_GROUP_WORDS > 1
     // One invocation a word; the first of each column gathers its texel.

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/settings/knob.h"
+
+namespace romascope {
+
+enum class RomaAlignment { rotate, shear };
+enum class RomaSampling { snap, candidates };
+enum class RomaInvocations { device, many, few };
+
+inline const Knob<RomaAlignment> kRomaAlignment{
+    {.key = "roma.alignment",
+     .unit = "",
+     .help =
+         "How the occupancy map is aligned with a candidate: rotated, each cell of a turned map "
+         "taking the nearest of the base map, as published; or sheared, slices moved by whole "
+         "cells, which loses none.",
+     .source = "Zeng et al. 2023, Algorithm 1"},
+    RomaAlignment::rotate,
+    {"rotate", "shear"}};
+inline const Knob<int> kRomaTaps{
+    {.key = "roma.taps",
+     .unit = "cells",
+     .help = "With roma.alignment shear, how many cells of a slice are joined to one: the one at "
+             "mid-slice, those at both faces, or all that the middle of a column passes.",
+     .source = "measured: more taps leak less through thin cells, and darken"},
+    1,
+    1,
+    3};
+inline const Knob<int> kRomaAngularResolution{
+    {.key = "roma.angular_resolution",
+     .unit = "strata per side",
+     .help = "Candidate directions per frame, as the square root of their number.",
+     .source = "Zeng et al. 2023, section 6"},
+    4,
+    2,
+    16};
+inline const Knob<bool> kRomaDirectionJitter{
+    {.key = "roma.direction_jitter",
+     .unit = "",
+     .help = "New candidate directions every frame, each at random in its stratum; else the middle "
+             "of each stratum.",
+     .source = "Zeng et al. 2023, section 4.3"},
+    true};
+inline const Knob<double> kRomaNormalOffset{
+    {.key = "roma.normal_offset",
+     .unit = "cells",
+     .help =
+         "How far a ray starts off its surface, along the normal: with roma.alignment rotate in "
+         "cells of a map that encloses the scene at any turn, with shear in those of the "
+         "occupancy map.",
+     .source = "Zeng et al. 2023, section 6"},
+    1.5,
+    0.0,
+    8.0};
+inline const Knob<int> kRomaEscape{
+    {.key = "roma.escape",
+     .unit = "cells",
+     .help = "How many occupied cells a ray may pass at its very start, where it leaves its own "
+             "surface.",
+     .source = "0: as published"},
+    0,
+    0,
+    4};
+inline const Knob<RomaSampling> kRomaSampling{
+    {.key = "roma.sampling",
+     .unit = "",
+     .help = "How rays become candidates: snapped to the candidate of their stratum, as published, "
+             "or chosen among the candidates by cosine, which leaves an open plane fully open.",
+     .source = "candidates: no ray falls below its surface"},
+    RomaSampling::candidates,
+    {"snap", "candidates"}};
+inline const Knob<RomaInvocations> kRomaInvocations{
+    {.key = "roma.invocations",
+     .unit = "",
+     .help = "Which way the maps are generated, with the same result: by many small invocations of "
+             "the shader, by few large ones without barriers, or whichever suits the device.",
+     .source = "measured: a GPU wants many small invocations, a CPU few without barriers"},
+    RomaInvocations::device,
+    {"device", "many", "few"}};
+
+} // namespace romascope

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/tracers/roma/shearing.h"
+
+#include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/roma/invocations.h"
+
+#include <algorithm>
+
+namespace romascope {
+namespace {
+
+static_assert(sizeof(gpu::ShearGrid) == 5 * 16, "std430 layout of ShearGrid");
+static_assert(offsetof(gpu::ShearGrid, columns) == 2 * 16);
+static_assert(sizeof(gpu::ShearMap) == 2 * 16, "std430 layout of ShearMap");
+
+/// Blocks that one work group of the packing transposes.
+constexpr int kPackedBlocks = 4;
+
+ShaderVariant pack_variant(bool many) {
+    return {"shear pack",
+            {{GL_COMPUTE_SHADER, "tracers/roma/shear_pack.comp.glsl"}},
+            {{"TRANSPOSE_ROWS_APART", many ? "1" : "0"},
+             {"TRANSPOSE_BLOCKS", std::to_string(kPackedBlocks)}},
+            {}};
+}
+
+ShaderVariant shear_variant(const Settings& settings, bool many) {
+    const ColumnLayout layout = ColumnLayout::of(settings.get(kOccupancyResolution));
+    std::vector<ShaderDefine> defines = layout.defines();
+    defines.push_back({"SHEAR_TAPS", std::to_string(settings.get(kRomaTaps))});
+    defines.push_back({"TRANSPOSE_ROWS_APART", many ? "1" : "0"});
+    defines.push_back({"TRANSPOSE_BLOCKS", std::to_string(layout.words_per_texel)});
+    return {"shear", {{GL_COMPUTE_SHADER, "tracers/roma/shear.comp.glsl"}}, defines, {}};
+}
+
+} // namespace
+
+void Shearing::build(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+                     std::span<const glm::dvec3> candidates) {
+    const Settings& settings = frame.settings;
+    const int taps = settings.get(kRomaTaps);
+    layout_ = ColumnLayout::of(settings.get(kOccupancyResolution));
+    frame_ = shear_frame(candidates, grid, taps, layout_.texels, settings.get(kRomaNormalOffset));
+    upload_frame();
+    packing_words_ = shear_packing_words(shear_packings(grid.size, shear_guard(taps)));
+    if (packed_rows_.bytes() < packing_words_ * sizeof(GLuint))
+        packed_rows_ = Buffer("packed rows", packing_words_ * sizeof(GLuint));
+    if (texels_.format() != layout_.format || texels_.texels() < frame_.texels)
+        texels_ = TexelBuffer("roma maps", layout_.format, frame_.texels);
+    const bool many = wants_many_invocations(settings);
+    const Program& program = shear_program_.get(frame.shaders, shear_variant(settings, many));
+    // A driver compiles when a program is first asked for, and the passes are timed.
+    pack_program_.get(frame.shaders, pack_variant(many));
+
+    pack(frame, base, grid.size, many);
+    auto pass = frame.timer.compute("roma shear");
+    program.use();
+    packed_rows_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    texels_.bind_image(0, GL_WRITE_ONLY);
+    glm::ivec2 columns(0);
+    for (size_t map = 0; map < frame_.maps.size(); ++map)
+        columns = glm::max(columns, glm::ivec2(frame_.size(map)));
+    const int row = (columns.x + 31) / 32 * (many ? 32 : 1);
+    const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels;
+    program.dispatch_covering({row, columns.y * (many ? layout_.words_per_texel : 1), layers});
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+}
+
+void Shearing::upload_frame() {
+    std::vector<std::byte> bytes;
+    const auto append = [&bytes](std::span<const std::byte> more) {
+        bytes.insert(bytes.end(), more.begin(), more.end());
+    };
+    append(std::as_bytes(std::span(&frame_.grid, 1)));
+    append(std::as_bytes(std::span(frame_.maps)));
+    upload_or_replace(map_buffer_, "sheared maps", std::span<const std::byte>(bytes));
+}
+
+void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many) {
+    const int guard = frame_.grid.columns.w;
+    const Program& program = pack_program_.get(frame.shaders, pack_variant(many));
+    auto pass = frame.timer.compute("roma packing");
+    program.use();
+    program.set("base_size", size);
+    program.set("guard", guard);
+    program.set("first_word", glm::ivec3(frame_.grid.first_word));
+    const glm::ivec2 row_words(frame_.grid.row_words.z, frame_.grid.row_words.x);
+    program.set("row_words", row_words);
+    base.bind(0);
+    packed_rows_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    const int words = std::max(row_words.x, row_words.y) * (many ? 32 : 1);
+    const int others = std::max(size.x, size.y) + 2 * guard;
+    const int layers = (size.z + 2 * guard + 31) / 32;
+    program.dispatch_covering({words, others, 2 * layers});
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+}
+
+void Shearing::bind() const {
+    texels_.bind(4);
+    map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+}
+
+std::vector<ShaderDefine> Shearing::defines(const Settings& settings) {
+    return ColumnLayout::of(settings.get(kOccupancyResolution)).defines();
+}
+
+size_t Shearing::bytes_needed(const Settings& settings) {
+    const int resolution = settings.get(kOccupancyResolution);
+    const int guard = shear_guard(settings.get(kRomaTaps));
+    const auto strata = static_cast<size_t>(settings.get(kRomaAngularResolution));
+    const ColumnLayout layout = ColumnLayout::of(resolution);
+    const auto side = static_cast<size_t>(resolution + 2 * guard);
+    const size_t column = layout.texel_bytes() * static_cast<size_t>(layout.texels);
+    return strata * strata * (side * side * column + sizeof(gpu::ShearMap)) +
+           sizeof(gpu::ShearGrid) +
+           sizeof(GLuint) * shear_packing_words(shear_packings(glm::ivec3(resolution), guard));
+}
+
+std::vector<ShaderVariant> Shearing::variants(const Settings& settings) {
+    return {pack_variant(false), pack_variant(true), shear_variant(settings, false),
+            shear_variant(settings, true)};
+}
+
+std::vector<uint32_t> Shearing::download_map(int index) const {
+    const gpu::ShearMap& map = frame_.maps[static_cast<size_t>(index)];
+    const glm::ivec3 size = frame_.size(static_cast<size_t>(index));
+    const std::vector<GLuint> all = texels_.download();
+    const size_t columns = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+    const auto words = static_cast<size_t>((size.z + 31) / 32);
+    const auto words_apart =
+        static_cast<size_t>(layout_.words_per_texel) * static_cast<size_t>(layout_.texels);
+    const size_t first =
+        static_cast<size_t>(map.slope.w) * static_cast<size_t>(layout_.words_per_texel);
+    std::vector<uint32_t> found;
+    found.reserve(columns * words);
+    for (size_t column = 0; column < columns; ++column) {
+        const auto begin = all.begin() + static_cast<ptrdiff_t>(first + column * words_apart);
+        found.insert(found.end(), begin, begin + static_cast<ptrdiff_t>(words));
+    }
+    return found;
+}
+
+std::vector<uint32_t> Shearing::download_packings() const {
+    std::vector<uint32_t> words = packed_rows_.download<uint32_t>();
+    words.resize(packing_words_);
+    return words;
+}
+
+} // namespace romascope

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "renderer/gl/program.h"
+#include "renderer/passes/frame_context.h"
+#include "renderer/tracers/roma/column_layout.h"
+#include "renderer/tracers/roma/shear.h"
+
+namespace romascope {
+
+/// Aligned maps by shear, one after the other in one buffer of texels. See shear_shared.h.
+class Shearing {
+public:
+    /// `base`: the base occupancy map of this grid.
+    void build(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+               std::span<const glm::dvec3> candidates);
+
+    /// For sheared_maps.glsl: texture unit 4 and storage block 4.
+    void bind() const;
+    static std::vector<ShaderDefine> defines(const Settings& settings);
+
+    size_t bytes() const { return texels_.bytes() + map_buffer_.bytes() + packed_rows_.bytes(); }
+    /// For a scene like a cube, which needs the most.
+    static size_t bytes_needed(const Settings& settings);
+    static std::vector<ShaderVariant> variants(const Settings& settings);
+
+    const ShearFrame& frame() const { return frame_; }
+    /// Words of map `index`, ordered as ShearedMap has them.
+    std::vector<uint32_t> download_map(int index) const;
+    std::vector<uint32_t> download_packings() const;
+
+private:
+    void upload_frame();
+    void pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many);
+
+    ShearFrame frame_;
+    ColumnLayout layout_{};
+    size_t packing_words_ = 0;
+    ProgramSlot pack_program_, shear_program_;
+    Buffer packed_rows_;
+    Buffer map_buffer_; ///< std430 ShearGrid, ShearMap[]
+    /// Grows to what the frames so far needed at most: which axes the candidates of a frame have,
+    /// and so how many columns, is up to chance.
+    TexelBuffer texels_;
+};
+
+} // namespace romascope

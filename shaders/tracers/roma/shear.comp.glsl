@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+// Shears the base occupancy map towards every candidate direction, 32 x 32 bits at a time: 32 cells
+// of a row come with one funnel shift of two words; 32 slices of them, transposed, are the words of
+// 32 columns.
+//
+// In:   packed_rows  the base map's packings, from shear_pack.comp.glsl
+//       shear_maps   one ShearMap per direction
+// Out:  aligned_maps texel ROMA_TEXELS_PER_COLUMN * (column.y * columns.x + column.x) + part of a map
+//                    has up to four words of a column
+// Host: SHEAR_TAPS, ROMA_WORDS_PER_TEXEL, ROMA_TEXELS_PER_COLUMN, ROMA_FORMAT, TRANSPOSE_ROWS_APART
+//       and, for it, TRANSPOSE_BLOCKS = ROMA_WORDS_PER_TEXEL; dispatched over (columns / 32, columns,
+//       maps * ROMA_TEXELS_PER_COLUMN)
+#include "shaders/tracers/roma/shear_shared.h"
+
+#if TRANSPOSE_ROWS_APART
+layout(local_size_x = 32, local_size_y = TRANSPOSE_BLOCKS) in;
+#else
+layout(local_size_x = 1, local_size_y = 8) in;
+#endif
+#include "shaders/tracers/roma/transpose.glsl"
+
+layout(ROMA_FORMAT, binding = 0) writeonly uniform uimageBuffer aligned_maps;
+layout(std430, binding = 0) readonly buffer PackedRows { uint packed_rows[]; };
+layout(std430, binding = 1) readonly buffer ShearMaps {
+    ShearGrid shear_grid;
+    ShearMap shear_maps[];
+};
+
+/// In slice `slice`, the cells of the 32 columns from `first` on; those beyond the last column are
+/// the first again. `size`: columns along p and q, slices.
+uint cells_of_slice(ShearMap map, ivec3 size, ivec2 first, int slice) {
+    if (slice >= size.z)
+        return 0u;
+    int m = map.slope.z;
+    uint cells = 0u;
+    for (int tap = 0; tap < SHEAR_TAPS; ++tap) {
+        ivec2 place = shear_wrapped_column(shear_grid, m, first + shear_tap(map.slope.xy, slice, tap, SHEAR_TAPS));
+        int word = place.y * shear_grid.row_words[m] + (place.x >> 5);
+        int at = shear_grid.first_word[m] + word * size.z + slice;
+        int shift = place.x & 31;
+        uint low = packed_rows[at] >> shift;
+        uint high = packed_rows[at + size.z];
+        cells |= shift == 0 ? low : low | (high << (32 - shift));
+    }
+    return cells;
+}
+
+#if TRANSPOSE_ROWS_APART
+shared uint finished[ROMA_WORDS_PER_TEXEL][32];
+#endif
+
+void main() {
+    int layer = int(gl_WorkGroupID.z);
+    int part = layer % ROMA_TEXELS_PER_COLUMN;
+    ShearMap map = shear_maps[layer / ROMA_TEXELS_PER_COLUMN];
+    ivec3 size = shear_size(shear_grid, map.slope.z);
+    int first_slice = 32 * ROMA_WORDS_PER_TEXEL * part;
+#if TRANSPOSE_ROWS_APART
+    ivec2 first = ivec2(32 * int(gl_WorkGroupID.x), int(gl_WorkGroupID.y));
+    if (any(greaterThanEqual(first, size.xy))) // the whole work group
+        return;
+    int lane = int(gl_LocalInvocationID.x);
+    int word = int(gl_LocalInvocationID.y);
+    uint bits = transposed(cells_of_slice(map, size, first, first_slice + 32 * word + lane));
+    finished[word][lane] = bits;
+    barrier();
+    if (word != 0)
+        return;
+    uvec4 texel = uvec4(0u);
+    for (int i = 0; i < ROMA_WORDS_PER_TEXEL; ++i)
+        texel[i] = finished[i][lane];
+    if (first.x + lane < size.x)
+        imageStore(aligned_maps, shear_texel(map, size.x, first + ivec2(lane, 0), part, ROMA_TEXELS_PER_COLUMN), texel);
+#else
+    ivec2 first = ivec2(32 * int(gl_WorkGroupID.x), int(gl_GlobalInvocationID.y));
+    if (any(greaterThanEqual(first, size.xy)))
+        return;
+    uvec4 texels[32];
+    for (int word = 0; word < ROMA_WORDS_PER_TEXEL; ++word) {
+        uint rows[32];
+        for (int row = 0; row < 32; ++row)
+            rows[row] = cells_of_slice(map, size, first, first_slice + 32 * word + row);
+        transpose(rows);
+        for (int lane = 0; lane < 32; ++lane)
+            texels[lane][word] = rows[lane];
+    }
+    for (int lane = 0; lane < min(32, size.x - first.x); ++lane)
+        imageStore(aligned_maps, shear_texel(map, size.x, first + ivec2(lane, 0), part, ROMA_TEXELS_PER_COLUMN), texels[lane]);
+#endif
+}

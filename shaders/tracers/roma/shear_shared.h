@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: MIT
+// Ray-aligned occupancy maps by shear: what the generation and the tracing compute, for the shaders
+// and their CPU twin alike.
+//
+// The map of a direction keeps the base map's cells. Along the direction's dominant axis m they are
+// cut into slices; p and q are the other two axes. Slice k is moved sideways by the whole number of
+// cells that the direction has gone at its middle, so that column (i, j) holds, as bit k, the base
+// cell i + offset_p(k) along p, j + offset_q(k) along q, k along m. Places are wrapped around at
+// the border: each slice is permuted, so no cell is lost or doubled. Rays keep their column
+// unwrapped; only slices count in which that column's own cell lies in the grid.
+//
+// Aligned coordinates (span.h) are u = p - slope_p m, v = q - slope_q m and w = m, in base cells.
+// Slopes are whole numbers of 2^-kShearFractionBits, and all that decides about cells is done in
+// integers.
+#pragma once
+#include "shaders/tracers/roma/span.h"
+#ifdef __cplusplus
+namespace romascope::gpu {
+#endif
+
+/// Products of two fractions of a cell fit a signed integer.
+const int kShearFractionBits = 15;
+
+/// What the maps of all directions share. Laid out for std430.
+struct ShearGrid {
+    vec4 origin;   ///< xyz: lower corner of the grid, metres; w: cells per metre
+    vec4 inverse;  ///< xyz: 1 / columns; w: normal offset, cells
+    ivec4 columns; ///< xyz: cells along x, y, z where those are columns, the guard's included; w:
+                   ///< guard cells on each side, always empty
+    ivec4 first_word; ///< xyz: of the base map's packing for slices along x, y, z
+    ivec4 row_words;  ///< xyz: words of a row in it
+};
+
+/// The map of one direction. Laid out for std430.
+struct ShearMap {
+    ivec4 slope; ///< x, y: cells along p, q per slice, fixed point, -1 to 1; z: axis m; w: first
+                 ///< texel
+    vec4 scale;  ///< x, y: slices per cell along p, q, at most 1e9; z: slices per metre along the
+                 ///< direction, w: metres per slice
+};
+
+/// Along p, q and m, of what is given along x, y and z; m by its number.
+SHARED_FN vec3 shear_turned(vec3 v, int m) {
+    return vec3(m == 0 ? v.y : v.x, m == 2 ? v.y : v.z, m == 0 ? v.x : m == 1 ? v.y : v.z);
+}
+SHARED_FN ivec3 shear_turned(ivec3 v, int m) {
+    return ivec3(m == 0 ? v.y : v.x, m == 2 ? v.y : v.z, m == 0 ? v.x : m == 1 ? v.y : v.z);
+}
+
+/// Columns along p and q, and slices.
+SHARED_FN ivec3 shear_size(ShearGrid grid, int m) {
+    ivec3 size = shear_turned(ivec3(grid.columns), m);
+    size.z -= 2 * grid.columns.w;
+    return size;
+}
+
+/// How far slice `slice` is moved along one axis: where the line through the middle of a column's
+/// first face is at mid-slice.
+SHARED_FN int shear_offset(int slope, int slice) {
+    return (slope * (2 * slice + 1) + (1 << kShearFractionBits)) >> (kShearFractionBits + 1);
+}
+
+/// That line as it passes face `face`, the lower one of the slice of that number; fixed point.
+SHARED_FN int shear_at_face(int slope, int face) {
+    return slope * face + (1 << (kShearFractionBits - 1));
+}
+
+/// The cell between those at the entry and at the exit of a slice, where a line that changes both
+/// of its coordinates in between passes one: relative to the column, as shear_offset.
+SHARED_FN ivec2 shear_between(ivec2 slope, int slice) {
+    ivec2 entry = ivec2(shear_at_face(slope.x, slice), shear_at_face(slope.y, slice));
+    ivec2 leaving = entry + slope;
+    ivec2 cell = entry >> kShearFractionBits;
+    ivec2 turn = (leaving >> kShearFractionBits) - cell;
+    if (turn.x == 0 || turn.y == 0)
+        return cell;
+    // How far to the border, as fractions of a cell; the first to be crossed takes less of a slice.
+    ivec2 past = entry - cell * (1 << kShearFractionBits);
+    ivec2 ahead = ivec2(turn.x > 0 ? (1 << kShearFractionBits) - past.x : past.x,
+                        turn.y > 0 ? (1 << kShearFractionBits) - past.y : past.y);
+    int first_x = ahead.x * abs(slope.y);
+    int first_y = ahead.y * abs(slope.x);
+    if (first_x < first_y)
+        return cell + ivec2(turn.x, 0);
+    if (first_y < first_x)
+        return cell + ivec2(0, turn.y);
+    return cell;
+}
+
+/// Where tap `tap` of `taps` looks for the cells of column (0, 0) in a slice: one tap takes the
+/// cell at mid-slice; two take those that the line enters and leaves the slice in; three take the
+/// one between, too, which makes all that the line passes.
+SHARED_FN ivec2 shear_tap(ivec2 slope, int slice, int tap, int taps) {
+    if (taps == 1)
+        return ivec2(shear_offset(slope.x, slice), shear_offset(slope.y, slice));
+    if (tap == 2)
+        return shear_between(slope, slice);
+    return ivec2(shear_at_face(slope.x, slice + tap), shear_at_face(slope.y, slice + tap)) >>
+           kShearFractionBits;
+}
+
+/// A place among `count` that repeat, for any place within 2^20 of them. `inverse`: 1 / count.
+SHARED_FN int shear_wrapped(int place, int count, float inverse) {
+    EXACT float periods = float(place) * inverse;
+    int rest = place - int(floor(periods)) * count; // off by one period at most
+    return rest < 0 ? rest + count : rest >= count ? rest - count : rest;
+}
+
+SHARED_FN ivec2 shear_wrapped_column(ShearGrid grid, int m, ivec2 column) {
+    ivec3 size = shear_turned(ivec3(grid.columns), m);
+    vec3 inverse = shear_turned(vec3(grid.inverse), m);
+    return ivec2(shear_wrapped(column.x, size.x, inverse.x),
+                 shear_wrapped(column.y, size.y, inverse.y));
+}
+
+/// The first slice that is moved by `cells` or more, or all of them, `count`. `strict`: 1 if a tie
+/// at mid-slice still counts as the cell before, as it does where slopes fall, else 0.
+/// `steepness`: size of the slope, fixed point; `inverse`: slices per cell.
+SHARED_FN int shear_first_moved(int cells, int steepness, float inverse, int strict, int count) {
+    if (cells <= 0)
+        return 0;
+    // Wanted: the first slice with steepness (2 slice + 1) >= least. The estimate is right or one
+    // too small: float rounding is below 0.001 of a slice, and a tie that is strict moves by one.
+    int least = (2 * cells - 1) * (1 << kShearFractionBits) + strict;
+    EXACT float middle = (float(cells) - 0.5f) * inverse - 0.501f;
+    int slice = int(ceil(clamp(middle, 0.0f, float(count))));
+    if (steepness * (2 * slice + 1) < least)
+        ++slice;
+    return min(slice, count);
+}
+
+/// The slice in which a column's own cell enters the grid or its guard along one axis, or, with
+/// `leaves`, the one in which it has left it. `columns`: cells along the axis with the guard;
+/// `place`: the column's, 0 the first cell of the guard; `inverse`: slices per cell.
+SHARED_FN int shear_border(int columns, int place, int slope, float inverse, bool leaves,
+                           int count) {
+    bool falls = slope < 0;
+    if (falls)
+        place = columns - 1 - place; // seen in a mirror, all slopes rise
+    return shear_first_moved(leaves ? columns - place : -place, abs(slope), inverse, falls ? 1 : 0,
+                             count);
+}
+
+/// The first slice in which a column's own cell lies in the grid or its guard, or, with `leaves`,
+/// the one after the last. There is none if the first is not before that.
+SHARED_FN int shear_end(ShearMap map, ivec3 size, int guard, ivec2 column, bool leaves) {
+    int x = shear_border(size.x, column.x + guard, map.slope.x, map.scale.x, leaves, size.z);
+    int y = shear_border(size.y, column.y + guard, map.slope.y, map.scale.y, leaves, size.z);
+    return leaves ? min(x, y) : max(x, y);
+}
+
+/// Leaves those slices in which the column's own cell lies in the grid or its guard.
+SHARED_FN RomaSpan shear_inside(ShearMap map, ivec3 size, int guard, RomaSpan span, bool forward) {
+    int ahead = shear_end(map, size, guard, span.column, forward);
+    if (forward)
+        span.last = min(span.last, ahead - 1);
+    else
+        span.first = max(span.first, ahead);
+    // Most rays start inside; then the end behind them cuts nothing.
+    ivec2 own = span.column + guard +
+                ivec2(shear_offset(map.slope.x, span.start), shear_offset(map.slope.y, span.start));
+    if (uint(own.x) < uint(size.x) && uint(own.y) < uint(size.y))
+        return span;
+    int behind = shear_end(map, size, guard, span.column, !forward);
+    if (forward)
+        span.first = max(span.first, behind);
+    else
+        span.last = min(span.last, behind - 1);
+    return span;
+}
+
+/// A point in cells of the grid, along p, q and m.
+SHARED_FN vec3 shear_cells(ShearGrid grid, int m, vec3 point) {
+    EXACT vec3 cells = (point - vec3(grid.origin)) * grid.origin.w;
+    return shear_turned(cells, m);
+}
+
+/// Aligned coordinates of what is given in cells along p, q and m; a point or a direction.
+SHARED_FN vec3 shear_aligned(ShearMap map, vec3 cells) {
+    const float one = 1.0f / float(1 << kShearFractionBits);
+    EXACT float u = cells.x - (float(map.slope.x) * one) * cells.z;
+    EXACT float v = cells.y - (float(map.slope.y) * one) * cells.z;
+    return vec3(u, v, cells.z);
+}
+
+/// The column, unwrapped, that a place lies in. One that is too far to hold any cell may be told as
+/// another such.
+SHARED_FN ivec2 shear_column(ivec3 size, vec3 aligned) {
+    float far = float(size.z + 4);
+    return ivec2(int(floor(clamp(aligned.x, -far, float(size.x) + far))),
+                 int(floor(clamp(aligned.y, -far, float(size.y) + far))));
+}
+
+/// A snapped ray; its column is unwrapped. `point`: the surface point, metres; `normal`: unit.
+/// `t_max`: metres from the surface point, infinity allowed.
+SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 point, vec3 normal,
+                            float t_max) {
+    int m = map.slope.z;
+    ivec3 size = shear_size(grid, m);
+    vec3 surface = shear_cells(grid, m, point);
+    EXACT vec3 moved = surface + shear_turned(normal, m) * grid.inverse.w;
+    EXACT float reach = t_max < kRomaUnbounded ? t_max * map.scale.z : t_max;
+    RomaRay ray;
+    ray.surface = surface.z;
+    ray.forward = forward;
+    ray.span = roma_slices(moved.z, surface.z, reach, forward, size.z);
+    ray.span.column = shear_column(size, shear_aligned(map, moved));
+    ray.span = shear_inside(map, size, grid.columns.w, ray.span, forward);
+    return ray;
+}
+
+/// Whether a direction points to the candidate's side, rather than to its opposite's.
+SHARED_FN bool shear_is_forward(ShearMap map, vec3 direction) {
+    vec3 turned = shear_turned(direction, map.slope.z);
+    EXACT float cosine = turned.x * float(map.slope.x) + turned.y * float(map.slope.y) +
+                         turned.z * float(1 << kShearFractionBits);
+    return cosine >= 0.0f;
+}
+
+/// Place of the texel of a wrapped column; `part` of `parts`.
+SHARED_FN int shear_texel(ShearMap map, int columns_along_p, ivec2 column, int part, int parts) {
+    return map.slope.w + (column.y * columns_along_p + column.x) * parts + part;
+}
+
+#ifdef __cplusplus
+} // namespace romascope::gpu
+#endif

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// What roma_tracer.glsl needs to know of maps that were aligned by shear.
+//
+// In:   aligned_maps and shear_maps as shear.comp.glsl has them
+// Host: ROMA_WORDS_PER_TEXEL, ROMA_TEXELS_PER_COLUMN
+#include "shaders/tracers/roma/shear_shared.h"
+
+layout(binding = 4) uniform usamplerBuffer aligned_maps;
+layout(std430, binding = 4) readonly buffer ShearMaps {
+    ShearGrid shear_grid;
+    ShearMap shear_maps[];
+};
+
+/// `point`: metres.
+RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
+    return shear_ray(shear_grid, shear_maps[map], forward, point, normal, t_max);
+}
+
+bool roma_forward_in(int map, vec3 direction) { return shear_is_forward(shear_maps[map], direction); }
+
+float roma_metres_per_slice(int map) { return shear_maps[map].scale.w; }
+
+/// Where the texels of a column are, given unwrapped.
+#define ROMA_PLACE int
+int roma_place(int map, ivec2 column) {
+    int m = shear_maps[map].slope.z;
+    ivec2 wrapped = shear_wrapped_column(shear_grid, m, column);
+    return shear_texel(shear_maps[map], shear_turned(shear_grid.columns.xyz, m).x, wrapped, 0, ROMA_TEXELS_PER_COLUMN);
+}
+
+uvec4 roma_texel(int map, int place, int part) { return texelFetch(aligned_maps, place + part); }
+
+/// The column's interval in the grid bounds every ray at both ends.
+uint roma_mask(int word, RomaSpan span, bool forward, bool unbounded) {
+    return bits_in_range(word, span.first, span.last);
+}
+
+ivec3 aligned_map_size(int map) { return shear_size(shear_grid, shear_maps[map].slope.z); }
+
+uint aligned_map_word(int map, ivec2 column, int word) {
+    return roma_texel(map, roma_place(map, column), word / ROMA_WORDS_PER_TEXEL)[word % ROMA_WORDS_PER_TEXEL];
+}

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: MIT
+// Alignment by shear and its tracing: GPU against the CPU twin, bit for bit.
+// tests/unit/test_shear.cpp has the twin against walks in double precision.
+#include "renderer/tracers/roma/shear_cpu.h"
+#include "shaders/tracers/roma/concentric.h"
+#include "tests/gl/roma_rays.h"
+
+#include <algorithm>
+#include <bit>
+
+namespace romascope {
+namespace {
+
+struct Case {
+    glm::ivec3 size;
+    int side, angular, taps;
+    double density;
+};
+
+class ShearTest : public GlTest {
+protected:
+    ShearTest() { settings_.set(kRomaAlignment, RomaAlignment::shear); }
+
+    void prepare(const Case& c, unsigned seed) {
+        random_.seed(seed);
+        settings_.set(kOccupancyResolution, c.side);
+        settings_.set(kRomaAngularResolution, c.angular);
+        settings_.set(kRomaTaps, c.taps);
+        base_ = random_grid(c.size, c.density, random_);
+        grid_.size = c.size;
+        grid_.cell_size = 0.173f;
+        grid_.origin = {-3.7f, 1.1f, 20.0f};
+        bounds_ = {};
+        bounds_.add(grid_.origin);
+        bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(c.size));
+        const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
+        const GpuScene gpu_scene(any);
+        tracer_.align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
+                      bounds_);
+        maps_.clear();
+        for (size_t map = 0; map < shears().maps.size(); ++map)
+            maps_.push_back(shear_on_cpu(base_, shears(), map, c.taps));
+    }
+
+    const ShearFrame& shears() const { return tracer_.shearing().frame(); }
+
+    float distance_on_cpu(const RomaTestRay& ray, int map, bool forward) const {
+        const ShearedMap& sheared = maps_[static_cast<size_t>(map)];
+        const gpu::RomaRay on_map =
+            gpu::shear_ray(sheared.grid, sheared.map, forward, glm::vec3(ray.point),
+                           glm::vec3(ray.normal), ray.direction.w);
+        const auto hit = closest_hit_on_cpu(sheared, on_map, settings_.get(kRomaEscape));
+        return hit ? *hit * sheared.map.scale.w : -1.0f;
+    }
+
+    std::mt19937 random_;
+    Settings settings_{all_knobs()};
+    BitGrid base_;
+    OccupancyGrid grid_;
+    Bounds bounds_;
+    RomaTracer tracer_;
+    std::vector<ShearedMap> maps_;
+};
+
+class ShearCases : public ShearTest, public testing::WithParamInterface<Case> {};
+
+TEST_P(ShearCases, MapsEqualTheirTwinBitForBit) {
+    for (const RomaInvocations invocations : {RomaInvocations::few, RomaInvocations::many}) {
+        settings_.set(kRomaInvocations, invocations);
+        prepare(GetParam(), 11);
+        const ShearPackings packings = shear_packings(grid_.size, shear_guard(GetParam().taps));
+        EXPECT_EQ(tracer_.shearing().download_packings(), pack_on_cpu(base_, packings));
+        size_t set = 0;
+        for (size_t map = 0; map < maps_.size(); ++map) {
+            const std::vector<uint32_t> words =
+                tracer_.shearing().download_map(static_cast<int>(map));
+            ASSERT_EQ(words.size(), maps_[map].words.size());
+            EXPECT_EQ(words, maps_[map].words) << "map " << map;
+            size_t cells = 0;
+            for (const uint32_t word : words)
+                cells += static_cast<size_t>(std::popcount(word));
+            if (GetParam().taps == 1) {
+                EXPECT_EQ(cells, base_.count());
+            }
+            set += cells;
+        }
+        EXPECT_GT(set, 0u);
+    }
+}
+
+TEST_P(ShearCases, TracingEqualsItsTwinBitForBit) {
+    for (const int escape : {0, 2}) {
+        settings_.set(kRomaEscape, escape);
+        prepare(GetParam(), 12);
+        const std::vector<RomaTestRay> rays =
+            random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), 10000);
+        const std::vector<RomaTestResult> results =
+            trace_roma_rays(shaders_, tracer_, settings_, rays);
+        size_t hits = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const auto& [given, chosen] = results[i];
+            const float expected = distance_on_cpu(rays[i], rays[i].choice.x, rays[i].choice.y);
+            ASSERT_EQ(given.y, expected) << "ray " << i;
+            ASSERT_EQ(given.x != 0.0f, expected >= 0.0f) << "ray " << i;
+            const glm::vec3 direction(rays[i].direction);
+            const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
+            const bool along =
+                gpu::shear_is_forward(maps_[static_cast<size_t>(stratum)].map, direction);
+            ASSERT_EQ(given.w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
+            ASSERT_EQ(given.z != 0.0f, given.w >= 0.0f) << "ray " << i;
+            // The candidate of the walk, turned to the side of the normal.
+            const int walked = static_cast<int>(chosen.x);
+            ASSERT_EQ(chosen.w, distance_on_cpu(rays[i], walked, chosen.y >= 0.0f)) << "ray " << i;
+            ASSERT_EQ(chosen.z != 0.0f, chosen.w >= 0.0f) << "ray " << i;
+            hits += expected >= 0.0f;
+        }
+        EXPECT_GT(hits, rays.size() / 30);
+        EXPECT_LT(hits, rays.size() * 19 / 20);
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Grids, ShearCases,
+    testing::Values(Case{{32, 32, 32}, 32, 4, 1, 0.08}, Case{{33, 20, 7}, 33, 3, 1, 0.2},
+                    Case{{33, 20, 7}, 33, 3, 3, 0.1}, Case{{64, 1, 50}, 64, 4, 1, 0.2},
+                    Case{{64, 40, 64}, 64, 2, 2, 0.04}, Case{{3, 100, 31}, 100, 4, 2, 0.04},
+                    Case{{128, 90, 60}, 128, 2, 1, 0.03}, Case{{129, 16, 32}, 129, 2, 3, 0.03},
+                    Case{{256, 24, 100}, 256, 2, 1, 0.03}),
+    [](const testing::TestParamInfo<Case>& chosen) {
+        return "side" + std::to_string(chosen.param.side) + "taps" +
+               std::to_string(chosen.param.taps) + "y" + std::to_string(chosen.param.size.y);
+    });
+
+TEST_F(ShearTest, MemoryIsThatOfTheCellsAndGrowsOnly) {
+    prepare({{128, 20, 30}, 128, 4, 1, 0.05}, 5);
+    const ShearPackings packings = shear_packings(grid_.size, 0);
+    size_t texels = 0;
+    for (size_t map = 0; map < maps_.size(); ++map)
+        texels += static_cast<size_t>(shears().size(map).x) * shears().size(map).y;
+    EXPECT_EQ(shears().texels, texels); // 128 bits in each
+    EXPECT_EQ(tracer_.shearing().bytes(), 16 * texels + 4 * shear_packing_words(packings) +
+                                              sizeof(gpu::ShearGrid) + 16 * sizeof(gpu::ShearMap));
+    // Other candidates have other axes, so other columns: no smaller buffer, no other map.
+    const size_t before = tracer_.shearing().bytes();
+    for (unsigned seed = 6; seed < 12; ++seed) {
+        prepare({{128, 20, 30}, 128, 4, 1, 0.05}, seed);
+        EXPECT_GE(tracer_.shearing().bytes(), before);
+        EXPECT_EQ(tracer_.shearing().download_map(15), maps_[15].words);
+    }
+}
+
+TEST_F(ShearTest, TheAlignmentCanChangeFromFrameToFrame) {
+    prepare({{40, 30, 20}, 40, 4, 1, 0.05}, 5);
+    const size_t sheared = tracer_.bytes()[1].bytes;
+    settings_.set(kRomaAlignment, RomaAlignment::rotate);
+    const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
+    const GpuScene gpu_scene(any);
+    tracer_.align(frame(gpu_scene, settings_), upload_grid(base_), grid_, bounds_);
+    EXPECT_EQ(tracer_.rotation().directions().size(), 16u);
+    EXPECT_TRUE(shears().maps.empty()); // what is not used holds no memory
+    settings_.set(kRomaAlignment, RomaAlignment::shear);
+    prepare({{40, 30, 20}, 40, 4, 1, 0.05}, 5);
+    EXPECT_EQ(tracer_.bytes()[1].bytes, sheared);
+    EXPECT_EQ(tracer_.shearing().download_map(3), maps_[3].words);
+}
+
+} // namespace
+} // namespace romascope
