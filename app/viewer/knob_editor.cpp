@@ -69,7 +69,7 @@ std::optional<KnobValue> KnobEditor::edit_number(const KnobBase& knob, const Kno
         ImGui::EndDisabled();
         return std::nullopt;
     }
-    // Whether this frame's value comes from a text field is known only before it closes.
+    // A text field gives a value with each key; only the last one counts.
     const ImGuiID id = ImGui::GetID(label(knob).c_str());
     const bool was_typing = ImGui::TempInputIsActive(id);
     KnobValue next = value;
@@ -79,17 +79,21 @@ std::optional<KnobValue> KnobEditor::edit_number(const KnobBase& knob, const Kno
             : number_input(ImGuiDataType_Double, knob, spec, std::get<double>(next));
     if (changed && !was_typing && !ImGui::TempInputIsActive(id))
         return into_range(knob, next);
-    const int frame = ImGui::GetFrameCount();
-    if (changed)
-        typed_ = {&knob, next, frame};
-    if (typed_.knob != &knob)
-        return std::nullopt;
-    if (ImGui::TempInputIsActive(id)) {
-        typed_.frame = frame;
+    const bool typing = ImGui::TempInputIsActive(id);
+    if (was_typing || typing) {
+        const std::optional<KnobValue> now = changed ? std::optional(next) : std::nullopt;
+        if (!typing) { // Enter, or Escape, which brings the old value back
+            typed_ = {};
+            return now;
+        }
+        typed_ = {&knob, now, ImGui::GetFrameCount()};
         return std::nullopt;
     }
+    // The field closes before this by a click elsewhere or by Tab.
+    if (typed_.knob != &knob)
+        return std::nullopt;
     const Typed done = std::exchange(typed_, {});
-    return done.frame >= frame - 1 ? std::optional(done.value) : std::nullopt;
+    return done.frame == ImGui::GetFrameCount() - 1 ? done.value : std::nullopt;
 }
 
 std::optional<KnobValue> KnobEditor::edit_infinity(const KnobBase& knob, double value) {

@@ -41,10 +41,11 @@ private:
     std::optional<KnobValue> edit_text(const KnobBase& knob, const std::string& value,
                                        const KnownNames& names);
 
+    /// What is in the text field of a number.
     struct Typed {
         const KnobBase* knob = nullptr;
-        KnobValue value;
-        int frame = 0; ///< of ImGui
+        std::optional<KnobValue> value; ///< none: the one it had
+        int frame = 0;                  ///< of ImGui
     };
     Typed typed_;
     std::map<const KnobBase*, double> last_finite_;
