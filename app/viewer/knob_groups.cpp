@@ -15,10 +15,17 @@ namespace romascope {
 namespace {
 
 constexpr std::pair<std::string_view, std::string_view> kTitles[] = {
-    {"technique", "Technique"}, {"render", "Picture and camera"},
-    {"frame", "View"},          {"view", "Depth and structures"},
-    {"lit", "Lit view"},        {"occupancy", "Occupancy map"},
-    {"roma", "ROMA"},           {"ao", "Ambient occlusion"},
+    {"technique", "Technique"},
+    {"render", "Picture and camera"},
+    {"frame", "View"},
+    {"view", "Depth and structures"},
+    {"lit", "Lit view"},
+    {"occupancy", "Occupancy map"},
+    {"roma", "ROMA"},
+    {"dda", "3D DDA"},
+    {"dda2d", "2D DDA"},
+    {"samples", "Samples along a ray"},
+    {"ao", "Ambient occlusion"},
 };
 
 size_t place_of(std::string_view group) {

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
+#include "renderer/tracers/dda/dda_tracer.h"
+#include "renderer/tracers/dda2d/dda2d_tracer.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
 #include "renderer/tracers/roma/roma_tracer.h"
+#include "renderer/tracers/samples/samples_tracer.h"
 #include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
@@ -10,6 +13,12 @@ const std::vector<TracerEntry>& tracers() {
     static const std::vector<TracerEntry> entries = {
         {"roma", "ray-aligned occupancy map array, aligned by rotation (Zeng et al. 2023)",
          make_roma_tracer, roma_knobs},
+        {"dda", "cell by cell through the base occupancy map: exact about its cells",
+         make_dda_tracer, dda_knobs},
+        {"dda2d", "texel by texel through the base occupancy map (Thiedemann et al. 2011)",
+         make_dda2d_tracer, dda2d_knobs},
+        {"samples", "a fixed number of cells along the ray (Reinbothe et al. 2009)",
+         make_samples_tracer, samples_knobs},
     };
     return entries;
 }
