@@ -115,7 +115,8 @@ Interface::Interface(GLFWwindow* window, std::filesystem::path layout_file,
     io.IniFilename = nullptr; // saved here: whole or not at all, and its folder made
     io.LogFilename = nullptr;
     load_layout(layout_file_);
-    ImGui_ImplGlfw_InitForOpenGL(window_, true);
+    ImGui_ImplGlfw_InitForOpenGL(window_, false);
+    input_.emplace(window_);
     ImGui_ImplOpenGL3_Init("#version 450 core");
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window_, &x, &y);
@@ -130,6 +131,7 @@ Interface::~Interface() {
             // Nobody is left to be told, and the next start has the default width.
         }
     }
+    input_.reset();
     ImGui_ImplOpenGL3_Shutdown();
     ImGui_ImplGlfw_Shutdown();
     ImGui::DestroyContext(context_);
@@ -160,7 +162,10 @@ void Interface::begin_frame() {
     ImGui_ImplOpenGL3_NewFrame();
     ImGui_ImplGlfw_NewFrame();
     ImGui::GetIO().DisplayFramebufferScale = {pixels_per_unit_, pixels_per_unit_};
+    keys_ = input_->feed();
     ImGui::NewFrame();
+    if (wants_keyboard())
+        keys_.clear();
     map_.begin_frame();
 }
 
@@ -199,6 +204,8 @@ bool Interface::wants_mouse() const { return ImGui::GetIO().WantCaptureMouse; }
 bool Interface::wants_keyboard() const { return ImGui::GetIO().WantTextInput; }
 
 double Interface::seconds_to_change() const {
+    if (!input_->empty())
+        return 0.0;
     if (!is_settled_) // windows take a frame or two to be as large as what is in them
         return 0.0;
     double seconds = kIdleSeconds;

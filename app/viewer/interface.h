@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "app/viewer/input_queue.h"
 #include "app/viewer/interface_state.h"
 #include "app/viewer/overlay.h"
 #include "app/viewer/panel.h"
 #include "app/viewer/ui_map.h"
 
 #include <filesystem>
+#include <optional>
+#include <vector>
 
 struct GLFWwindow;
 struct ImGuiContext;
@@ -15,7 +18,8 @@ namespace romascope {
 
 class Session;
 
-/// All widgets over the picture, by Dear ImGui. Its calls in a frame: begin_frame, draw, end_frame.
+/// All widgets over the picture, by Dear ImGui. Its calls in a frame: begin_frame, with which input
+/// comes in; draw; end_frame.
 class Interface {
 public:
     /// Needs the window's context to be current. The window's callbacks that were set before are
@@ -30,13 +34,15 @@ public:
     void set_scale(float scale);
 
     void begin_frame();
+    /// Keys of this frame that no widget takes.
+    const std::vector<KeyPress>& keys() const { return keys_; }
     /// Does what the user asks of the session; the rest is returned.
     Requests draw(Session& session, InterfaceState& state, const Activity& activity);
     /// Draws into framebuffer 0, in pixels as the widgets have them (sRGB is not encoded again).
     /// Leaves the GL state as it was.
     void end_frame();
 
-    /// Whether what the mouse does, or what is typed, is meant for the widgets.
+    /// Whether what the mouse does, or what is typed in this frame, is meant for the widgets.
     bool wants_mouse() const;
     bool wants_keyboard() const;
 
@@ -49,6 +55,8 @@ private:
 
     GLFWwindow* window_;
     ImGuiContext* context_;
+    std::optional<InputQueue> input_; ///< while ImGui's platform is there
+    std::vector<KeyPress> keys_;
     std::filesystem::path layout_file_;
     UiMap map_;
     Panel panel_;

@@ -64,11 +64,13 @@ bool Viewer::step() {
     const double elapsed = std::chrono::duration<double>(now - last_step_).count();
     last_step_ = now;
 
+    interface_.set_scale(window_.scale());
+    interface_.begin_frame();
     session_.set_window_size(window_.pixels());
     const WindowInput input = window_.take_input();
     for (const std::string& file : input.dropped)
         do_requests({.open = file});
-    handle_keys(input);
+    handle_keys();
     navigate(input);
     session_.advance(elapsed);
     watch_shaders();
@@ -93,10 +95,8 @@ bool Viewer::attempt(Work work) {
     return false;
 }
 
-void Viewer::handle_keys(const WindowInput& input) {
-    if (interface_.wants_keyboard())
-        return;
-    for (const KeyPress& press : input.keys)
+void Viewer::handle_keys() {
+    for (const KeyPress& press : interface_.keys())
         for (const KeyBinding& binding : key_bindings()) {
             const int count = binding.action == KeyAction::scene_camera ? 9 : 1;
             const bool control = press.mods & GLFW_MOD_CONTROL, shift = press.mods & GLFW_MOD_SHIFT;
@@ -215,10 +215,8 @@ void Viewer::watch_shaders() {
 
 void Viewer::present() {
     const glm::ivec2 pixels = window_.pixels();
-    interface_.set_scale(window_.scale());
     if (pixels.x > 0 && pixels.y > 0)
         romascope::show(session_.pipeline()->shown(), 0, pixels);
-    interface_.begin_frame();
     Activity activity{.saved_settings = has_start_settings()};
     if (capture_)
         activity.screenshot = capture_->progress();

@@ -40,7 +40,7 @@ public:
     Messages& messages() { return messages_; }
 
 private:
-    void handle_keys(const WindowInput& input);
+    void handle_keys();
     void act(KeyAction action, int nth);
     void do_requests(const Requests& requests);
     void navigate(const WindowInput& input);

@@ -32,10 +32,8 @@ Window& owner(GLFWwindow* window) {
 } // namespace
 
 struct WindowCallbacks {
-    static void key(GLFWwindow* window, int key, int, int action, int mods) {
+    static void key(GLFWwindow* window, int key, int, int action, int) {
         Window& self = owner(window);
-        if (action != GLFW_RELEASE)
-            self.input_.keys.push_back({key, mods});
         if (action == GLFW_PRESS)
             self.down_since_[key] = glfwGetTime();
         if (action == GLFW_RELEASE)

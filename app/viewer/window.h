@@ -12,15 +12,8 @@ struct GLFWwindow;
 
 namespace romascope {
 
-/// A key that went down, or repeats.
-struct KeyPress {
-    int key = 0;  ///< GLFW_KEY_...
-    int mods = 0; ///< GLFW_MOD_...
-};
-
 /// What a user did to the window since the last time.
 struct WindowInput {
-    std::vector<KeyPress> keys;
     std::vector<std::string> dropped; ///< files
     /// Way of the mouse while only the left, right, middle button was down, in screen coordinates;
     /// y down.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The panel that is made from the knobs: what can be tested of it without a window. Widgets are
 // real ones of ImGui, moved by a hand that is not there.
+#include "app/viewer/input_queue.h"
 #include "app/viewer/knob_editor.h"
 #include "app/viewer/knob_groups.h"
 #include "app/viewer/knob_widget.h"
@@ -11,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
 #include <imgui.h>
 
 #include <cmath>
@@ -303,6 +306,58 @@ TEST(KnobEditor, InfinityIsTickedAndTakenBack) {
     EXPECT_EQ(number(hand.value), kInfinity);
     ASSERT_TRUE(hand.click());
     EXPECT_EQ(number(hand.value), 2.5) << "the last finite one comes back";
+}
+
+using Kind = InputEvent::Kind;
+
+InputEvent key(int code, int action, int mods = 0) { return {Kind::key, code, 0, action, mods}; }
+InputEvent character(char c) { return {Kind::character, c}; }
+InputEvent button(int action) { return {Kind::button, 0, 0, action}; }
+InputEvent cursor(double x) { return {Kind::cursor, 0, 0, 0, 0, x, 0.0}; }
+
+/// In how many events each frame of ImGui consists.
+std::vector<int> frames_of(const std::vector<InputEvent>& events) {
+    std::vector<int> counts;
+    for (size_t i = 0; i < events.size();) {
+        InputFrame frame;
+        int count = 0;
+        for (; i < events.size() && frame.takes(events[i]); ++i)
+            ++count;
+        counts.push_back(count);
+        if (count == 0) // would never end
+            break;
+    }
+    return counts;
+}
+
+TEST(InputFrame, LettersTypedFastAreOneFrame) {
+    EXPECT_EQ(
+        frames_of({key(GLFW_KEY_A, GLFW_PRESS), character('a'), key(GLFW_KEY_A, GLFW_RELEASE),
+                   key(GLFW_KEY_B, GLFW_PRESS), character('b'), key(GLFW_KEY_B, GLFW_RELEASE)}),
+        (std::vector<int>{6}));
+}
+
+TEST(InputFrame, TextAndEnterAndTextKeepTheirOrder) {
+    EXPECT_EQ(frames_of({character('7'), key(GLFW_KEY_ENTER, GLFW_PRESS),
+                         key(GLFW_KEY_ENTER, GLFW_RELEASE), character('8')}),
+              (std::vector<int>{1, 1, 2}));
+}
+
+TEST(InputFrame, ShortcutsAreSeenWithTheirModifier) {
+    EXPECT_EQ(frames_of({character('x'), key(GLFW_KEY_LEFT_CONTROL, GLFW_PRESS, GLFW_MOD_CONTROL),
+                         key(GLFW_KEY_A, GLFW_PRESS, GLFW_MOD_CONTROL),
+                         key(GLFW_KEY_A, GLFW_RELEASE, GLFW_MOD_CONTROL),
+                         key(GLFW_KEY_LEFT_CONTROL, GLFW_RELEASE), character('y')}),
+              (std::vector<int>{1, 2, 3}));
+}
+
+TEST(InputFrame, ClicksAreWhereTheMouseWas) {
+    EXPECT_EQ(frames_of({cursor(1), cursor(2), button(GLFW_PRESS), button(GLFW_RELEASE), cursor(9),
+                         button(GLFW_PRESS), cursor(10), cursor(11), character('f')}),
+              (std::vector<int>{3, 1, 2, 3}));
+    EXPECT_EQ(
+        frames_of({cursor(1), button(GLFW_PRESS), cursor(2), cursor(3), button(GLFW_RELEASE)}),
+        (std::vector<int>{2, 2, 1}));
 }
 
 TEST(Overlay, ErrorsStayAndNothingElseLiesLongOnAPictureAlone) {
