@@ -83,8 +83,9 @@ void PassTimer::record(size_t pass, double milliseconds) {
 }
 
 size_t PassTimer::index_of(const std::string& pass, bool rasterises) {
-    const auto found = std::find_if(timings_.begin(), timings_.end(),
-                                    [&](const PassTiming& t) { return t.pass == pass; });
+    const auto found = std::find_if(timings_.begin(), timings_.end(), [&](const PassTiming& t) {
+        return t.pass == pass && t.rasterises == rasterises;
+    });
     if (found != timings_.end())
         return static_cast<size_t>(found - timings_.begin());
     timings_.push_back({pass, rasterises, {}});

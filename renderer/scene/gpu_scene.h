@@ -21,6 +21,12 @@ public:
     /// Three floats a vertex, for the pass that moves them.
     const Buffer& positions() const { return positions_; }
     const Buffer& normals() const { return normals_; }
+    /// A vertex's material, two floats, RGBA8; the latter two are empty where the scene has none.
+    const Buffer& vertex_materials() const { return vertex_materials_; }
+    const Buffer& texcoords() const { return texcoords_; }
+    const Buffer& colors() const { return colors_; }
+    /// Three a triangle.
+    const Buffer& indices() const { return indices_; }
     const Bounds& bounds() const { return bounds_; }
     /// For a scene that moves: of the vertices as they stand in this frame.
     void set_bounds(const Bounds& bounds) { bounds_ = bounds; }

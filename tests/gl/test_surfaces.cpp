@@ -120,34 +120,37 @@ TEST_F(SurfacesTest, TheOccupancyMapHasWhatTheMaskLeavesAtCellCentres) {
     add_square(scene, {.texture = 0, .alpha_cutoff = 0.5f}, {0, 0, 0}, {0, 1, 0}, {1, 0, 0}, 1.5f);
     add_square(scene, {}, {0, 0, -1}, {0.01f, 0, 0}, {0, 0.01f, 0}); // depth for the grid
     const GpuScene gpu_scene(scene);
-    OccupancyMap map;
-    map.build(frame(gpu_scene, settings_, 1, 7));
-    const BitGrid grid = map.download();
-    const glm::vec3 first = (glm::vec3(0) - map.grid().origin) / map.grid().cell_size;
-    size_t set = 0, checked = 0;
-    for (int y = 0; y < grid.size().y; ++y)
-        for (int x = 0; x < grid.size().x; ++x) {
-            const auto uv_at = [&](glm::vec2 off) {
-                const glm::vec2 place = map.grid().cell_size * (glm::vec2(x, y) + 0.5f + off) +
-                                        glm::vec2(map.grid().origin);
-                return 0.75f * (glm::vec2(place.y, place.x) + 1.0f);
-            };
-            int there = 0;
-            for (const glm::vec2 off : {glm::vec2(0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
-                const glm::vec2 uv = uv_at(0.01f * off);
-                const bool inside = uv.x > 0 && uv.y > 0 && uv.x < 1.5f && uv.y < 1.5f;
-                there += inside && surface_is_there(scene.materials[0], &texture, uv, 1.0f);
+    for (const OccupancyBuilder builder : {OccupancyBuilder::raster, OccupancyBuilder::compute}) {
+        settings_.set(kOccupancyBuilder, builder);
+        OccupancyMap map;
+        map.build(frame(gpu_scene, settings_, 1, 7));
+        const BitGrid grid = map.download();
+        const glm::vec3 first = (glm::vec3(0) - map.grid().origin) / map.grid().cell_size;
+        size_t set = 0, checked = 0;
+        for (int y = 0; y < grid.size().y; ++y)
+            for (int x = 0; x < grid.size().x; ++x) {
+                const auto uv_at = [&](glm::vec2 off) {
+                    const glm::vec2 place = map.grid().cell_size * (glm::vec2(x, y) + 0.5f + off) +
+                                            glm::vec2(map.grid().origin);
+                    return 0.75f * (glm::vec2(place.y, place.x) + 1.0f);
+                };
+                int there = 0;
+                for (const glm::vec2 off : {glm::vec2(0), {1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+                    const glm::vec2 uv = uv_at(0.01f * off);
+                    const bool inside = uv.x > 0 && uv.y > 0 && uv.x < 1.5f && uv.y < 1.5f;
+                    there += inside && surface_is_there(scene.materials[0], &texture, uv, 1.0f);
+                }
+                if (there != 0 && there != 5)
+                    continue;
+                ++checked;
+                const bool found = grid.get({x, y, static_cast<int>(std::floor(first.z))});
+                EXPECT_EQ(found, there == 5) << x << " " << y;
+                set += found;
             }
-            if (there != 0 && there != 5)
-                continue;
-            ++checked;
-            const bool found = grid.get({x, y, static_cast<int>(std::floor(first.z))});
-            EXPECT_EQ(found, there == 5) << x << " " << y;
-            set += found;
-        }
-    EXPECT_GT(checked, 3000u);
-    EXPECT_GT(set, 800u);
-    EXPECT_LT(set, 3200u);
+        EXPECT_GT(checked, 3000u);
+        EXPECT_GT(set, 800u);
+        EXPECT_LT(set, 3200u);
+    }
 }
 
 TEST_F(SurfacesTest, AlphaOfMaterialAndVerticesCounts) {

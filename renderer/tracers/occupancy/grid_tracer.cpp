@@ -27,7 +27,9 @@ size_t GridTracer::bytes_needed(const Settings& settings) const {
 }
 
 std::vector<ShaderVariant> GridTracer::build_variants(const Settings&) const {
-    return {OccupancyMap::variant(false), OccupancyMap::variant(true), OccupancySlice::variant()};
+    std::vector<ShaderVariant> variants = OccupancyMap::variants();
+    variants.push_back(OccupancySlice::variant());
+    return variants;
 }
 
 void GridTracer::draw_view(const FrameContext& frame, std::string_view, const Texture& picture) {

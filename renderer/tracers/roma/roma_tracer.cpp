@@ -87,9 +87,9 @@ size_t RomaTracer::bytes_needed(const Settings& settings) const {
 }
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
-    std::vector<ShaderVariant> variants = {OccupancyMap::variant(false),
-                                           OccupancyMap::variant(true), OccupancySlice::variant(),
-                                           MapView::variant(settings, *this)};
+    std::vector<ShaderVariant> variants = OccupancyMap::variants();
+    variants.push_back(OccupancySlice::variant());
+    variants.push_back(MapView::variant(settings, *this));
     for (ShaderVariant& variant :
          is_sheared(settings) ? Shearing::variants(settings) : Rotation::variants(settings))
         variants.push_back(std::move(variant));

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/tracers/occupancy/compute_builder.h"
+
+#include "shaders/tracers/occupancy/work_list.h"
+
+#include <algorithm>
+
+namespace romascope {
+namespace {
+
+ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked) {
+    return {name,
+            {{GL_COMPUTE_SHADER, file}},
+            {{"CONSERVATIVE", coverage == OccupancyCoverage::conservative ? "1" : "0"},
+             {"ALPHA_MASK", masked ? "1" : "0"}},
+            {}};
+}
+
+ShaderVariant small_variant(OccupancyCoverage coverage, bool masked) {
+    return variant("occupy small", "tracers/occupancy/occupy_small.comp.glsl", coverage, masked);
+}
+
+ShaderVariant large_variant(OccupancyCoverage coverage, bool masked) {
+    return variant("occupy large", "tracers/occupancy/occupy_large.comp.glsl", coverage, masked);
+}
+
+void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene& scene) {
+    program.use();
+    program.set("grid_origin", grid.origin);
+    program.set("cells_per_metre", 1.0f / grid.cell_size);
+    program.set("grid_size", grid.size);
+    program.set("has_texcoords", static_cast<int>(scene.texcoords().bytes() > 0));
+    program.set("has_colors", static_cast<int>(scene.colors().bytes() > 0));
+}
+
+} // namespace
+
+bool ComputeBuilder::takes(const GpuScene& scene) {
+    GLint64 limit = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
+    const size_t most = std::max({scene.positions().bytes(), scene.indices().bytes(),
+                                  scene.texcoords().bytes(), scene.colors().bytes()});
+    return most <= static_cast<size_t>(limit) &&
+           scene.indices().bytes() / (3 * sizeof(uint32_t)) < (size_t{1} << (32 - gpu::kPieceBits));
+}
+
+void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
+                           const Texture& map) {
+    if (work_list_.bytes() == 0) {
+        const gpu::WorkListHead empty{0, 1, 1, 0};
+        empty_head_ = Buffer::from("empty work list", std::span(&empty, 1));
+        work_list_ = Buffer("work list", bytes_needed() - sizeof(gpu::WorkListHead));
+    }
+    const GpuScene& scene = frame.scene;
+    map.bind_image(0, GL_READ_WRITE);
+    scene.positions().bind(GL_SHADER_STORAGE_BUFFER, 2);
+    scene.indices().bind(GL_SHADER_STORAGE_BUFFER, 3);
+    work_list_.bind(GL_SHADER_STORAGE_BUFFER, 4);
+    // Groups differ by their sides too, which do not matter here.
+    const std::vector<TriangleGroup>& groups = scene.groups();
+    for (size_t i = 0; i < groups.size();) {
+        size_t end = i, count = 0;
+        for (; end < groups.size() && groups[end].masked == groups[i].masked; ++end)
+            count += groups[end].count;
+        run(frame, grid, groups[i].masked, groups[i].first, count);
+        i = end;
+    }
+}
+
+void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, bool masked,
+                         size_t first, size_t count) {
+    const OccupancyCoverage coverage = frame.settings.get(kOccupancyCoverage);
+    Programs& programs = masked ? masked_ : plain_;
+    const Program& small = programs.small.get(frame.shaders, small_variant(coverage, masked));
+    const Program& large = programs.large.get(frame.shaders, large_variant(coverage, masked));
+    if (masked) {
+        frame.scene.surfaces().bind();
+        // A block must have a buffer even where it is not read.
+        const auto bind = [&](const Buffer& buffer, GLuint slot) {
+            (buffer.bytes() > 0 ? buffer : frame.scene.positions())
+                .bind(GL_SHADER_STORAGE_BUFFER, slot);
+        };
+        bind(frame.scene.texcoords(), 5);
+        bind(frame.scene.colors(), 6);
+        bind(frame.scene.vertex_materials(), 7);
+    }
+    // What the list held before has been read.
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    glCopyNamedBufferSubData(empty_head_.id(), work_list_.id(), 0, 0, sizeof(gpu::WorkListHead));
+    set_grid(small, grid, frame.scene);
+    small.set("first_triangle", static_cast<GLuint>(first));
+    small.set("triangle_count", static_cast<GLuint>(count));
+    const auto row = static_cast<size_t>(gpu::kTriangleRow);
+    small.dispatch_covering(
+        {static_cast<int>(std::min(count, row)), static_cast<int>((count + row - 1) / row), 1});
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    set_grid(large, grid, frame.scene);
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work_list_.id());
+    glDispatchComputeIndirect(0);
+}
+
+size_t ComputeBuilder::bytes_needed() {
+    return 2 * sizeof(gpu::WorkListHead) + gpu::kWorkListLength * sizeof(uint32_t);
+}
+
+std::vector<ShaderVariant> ComputeBuilder::variants() {
+    std::vector<ShaderVariant> all;
+    for (const OccupancyCoverage coverage :
+         {OccupancyCoverage::thin, OccupancyCoverage::conservative}) {
+        for (const bool masked : {false, true}) {
+            all.push_back(small_variant(coverage, masked));
+            all.push_back(large_variant(coverage, masked));
+        }
+    }
+    return all;
+}
+
+} // namespace romascope

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+// Marks the cells of triangles in the occupancy map, and hands out the strips of large ones.
+//
+// In:   positions, three floats a vertex; indices, three a triangle; with ALPHA_MASK materials,
+//       texels, texcoords, colors, vertex_materials too
+// Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// Host: grid_origin (metres), cells_per_metre, grid_size (cells); CONSERVATIVE 0 or 1: coverage;
+//       ALPHA_MASK 0 or 1: leave out what the mask leaves out; with it has_texcoords, has_colors
+#include "shaders/tracers/occupancy/triangle_cells.h"
+#include "shaders/tracers/occupancy/work_list.h"
+#if ALPHA_MASK
+#include "shaders/common/material.glsl"
+layout(std430, binding = 5) readonly buffer Texcoords { vec2 texcoords[]; };
+layout(std430, binding = 6) readonly buffer Colors { uint colors[]; };
+layout(std430, binding = 7) readonly buffer VertexMaterials { uint vertex_materials[]; };
+uniform bool has_texcoords;
+uniform bool has_colors;
+#endif
+layout(std430, binding = 2) readonly buffer Positions { float positions[]; };
+layout(std430, binding = 3) readonly buffer Indices { uint indices[]; };
+layout(r32ui, binding = 0) uniform uimage3D base_map;
+uniform vec3 grid_origin;
+uniform float cells_per_metre;
+uniform ivec3 grid_size;
+
+const bool kConservative = CONSERVATIVE != 0;
+
+#if ALPHA_MASK
+uint mask_material = 0u;
+vec3 mask_at[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0)); // u, v, alpha of the corners
+
+vec3 mask_point(uint vertex) {
+    vec3 point = vec3(0.0, 0.0, 1.0);
+    if (has_texcoords)
+        point.xy = texcoords[vertex];
+    if (has_colors)
+        point.z = float(colors[vertex] >> 24) * (1.0 / 255.0);
+    return point;
+}
+
+bool there(CellTriangle t, ivec3 cell, int axis) {
+    vec3 point = blend_corners(mask_at[0], mask_at[1], mask_at[2], corner_weights(t, cell, axis));
+    return surface_is_there(mask_material, point.xy, point.z);
+}
+#endif
+
+vec3 cell_position(uint vertex) {
+    vec3 position = vec3(positions[3u * vertex], positions[3u * vertex + 1u], positions[3u * vertex + 2u]);
+    precise vec3 cell = (position - grid_origin) * cells_per_metre;
+    return cell;
+}
+
+CellTriangle load_triangle(uint triangle) {
+    uvec3 vertex = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
+    vec3 p = cell_position(vertex.x);
+    vec3 q = cell_position(vertex.y);
+    vec3 r = cell_position(vertex.z);
+    int apex = apex_of(p, q, r);
+#if ALPHA_MASK
+    uvec3 turned = apex == 0 ? vertex : apex == 1 ? vertex.yzx : vertex.zxy;
+    mask_material = vertex_materials[vertex.x];
+    mask_at[0] = mask_point(turned.x);
+    mask_at[1] = mask_point(turned.y);
+    mask_at[2] = mask_point(turned.z);
+#endif
+    return cell_triangle(apex == 0 ? p : apex == 1 ? q : r, apex == 0 ? q : apex == 1 ? r : p,
+                         apex == 0 ? r : apex == 1 ? p : q, grid_size, kConservative);
+}
+
+bool occupied(CellTriangle t, ivec3 cell) {
+    int lines = 1;
+    if (t.kind == kCellsTest)
+        lines = occupancy_of_cell(t, cell, kConservative);
+#if ALPHA_MASK
+#if CONSERVATIVE
+    return lines != 0 && there(t, cell, 2);
+#else
+    return ((lines & 1) != 0 && there(t, cell, 0)) || ((lines & 2) != 0 && there(t, cell, 1)) ||
+           ((lines & 4) != 0 && there(t, cell, 2));
+#endif
+#else
+    return lines != 0;
+#endif
+}
+
+// Cells of one texel are gathered and stored together.
+ivec3 open_texel = ivec3(-1);
+uint open_bits = 0u;
+
+void close_texel() {
+    if (open_bits != 0u)
+        imageAtomicOr(base_map, open_texel, open_bits);
+    open_bits = 0u;
+}
+
+void mark(ivec3 cell) {
+    ivec3 texel = ivec3(cell.xy, cell.z >> 5);
+    if (texel != open_texel) {
+        close_texel();
+        open_texel = texel;
+    }
+    open_bits |= 1u << (cell.z & 31);
+}
+
+void mark_row(CellTriangle t, int u, CellRange row) {
+    for (int v = row.first; v <= row.last; ++v) {
+        CellRange column = cells_of_column(t, u, v, kConservative);
+        for (int w = column.first; w <= column.last; ++w) {
+            ivec3 cell = ivec3(u, v, w);
+            if (occupied(t, cell))
+                mark(cell_xyz(cell, t.axis));
+        }
+    }
+}
+
+/// Strips of 32 columns along v, aligned to words, row by row of u.
+uint strip_count(CellTriangle t) {
+    return uint(t.last.x - t.first.x + 1) * uint((t.last.y >> 5) - (t.first.y >> 5) + 1);
+}
+
+void mark_strip(CellTriangle t, uint strip) {
+    uint rows = uint(t.last.x - t.first.x + 1);
+    int u = t.first.x + int(strip % rows);
+    int block = (t.first.y >> 5) + int(strip / rows);
+    mark_row(t, u, cells_of_row(t, u, max(t.first.y, 32 * block), min(t.last.y, 32 * block + 31)));
+}

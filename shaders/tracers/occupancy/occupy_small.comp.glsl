@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// Marks the cells of small triangles and lists large ones. One invocation a triangle.
+//
+// Out:  work list: pieces of large triangles, in any order
+// Host: first_triangle, triangle_count; see occupy_cells.glsl for the rest
+#include "shaders/tracers/occupancy/occupy_cells.glsl"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 4) buffer WorkList {
+    WorkListHead head;
+    uint entries[];
+};
+uniform uint first_triangle;
+uniform uint triangle_count;
+
+void main() {
+    uint index = gl_GlobalInvocationID.y * kTriangleRow + gl_GlobalInvocationID.x;
+    if (index >= triangle_count)
+        return;
+    uint triangle = first_triangle + index;
+    CellTriangle t = load_triangle(triangle);
+    if (t.kind == kCellsNone)
+        return;
+    ivec3 spans = t.last - t.first + 1;
+    uint strips = 0u;
+    uint strip = 0u;
+    if (spans.x * spans.y > kColumnsInPlace) {
+        strips = strip_count(t);
+        uint pieces = (strips + kStripsPerPiece - 1u) / kStripsPerPiece;
+        uint first = atomicAdd(head.wanted, pieces);
+        uint listed = min(pieces, kWorkListLength - min(first, kWorkListLength));
+        atomicMax(head.groups_x, min(first + listed, kWorkListLength));
+        for (uint i = 0u; i < listed; ++i)
+            entries[first + i] = (triangle << kPieceBits) | i;
+        strip = listed * kStripsPerPiece; // what the list has no room for
+    } else {
+        for (int u = t.first.x; u <= t.last.x; ++u)
+            mark_row(t, u, CellRange(t.first.y, t.last.y));
+    }
+    for (; strip < strips; ++strip)
+        mark_strip(t, strip);
+    close_texel();
+}

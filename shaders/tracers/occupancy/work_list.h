@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// How large triangles are handed on, in pieces: a strip is a row of up to 32 columns of cells, a
+// piece is 32 strips, one for each invocation of a workgroup.
+#pragma once
+#include "shaders/common/cross.h"
+#ifdef __cplusplus
+namespace romascope::gpu {
+#endif
+
+/// Triangles that span up to this many columns are finished by the invocation that finds them.
+const int kColumnsInPlace = 16;
+const uint kStripsPerPiece = 32u;
+/// An entry is a triangle and a piece of it: no triangle of a grid of up to 256 cells has more.
+const uint kPieceBits = 6u;
+/// No more workgroups than any driver takes in a row. Pieces that no longer fit are done by the
+/// invocation that finds them.
+const uint kWorkListLength = 65535u;
+
+/// Triangles to a row of invocations: a dispatch may have no more than 65535 groups across.
+const uint kTriangleRow = 1u << 20;
+
+/// What is dispatched over the list, and what has been asked of it. Laid out for std430.
+struct WorkListHead {
+    uint groups_x;
+    uint groups_y;
+    uint groups_z;
+    uint wanted;
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(WorkListHead) == 16);
+} // namespace romascope::gpu
+#endif
