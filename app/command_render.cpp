@@ -92,6 +92,7 @@ int render(const RenderOptions& options) {
     facts.clock = run.clock;
     facts.timings = run.timings;
     facts.bytes = run.bytes;
+    facts.counts = run.counts;
     if (options.reference_samples) {
         const int samples = *options.reference_samples;
         const AoReference truth = truth_of(scene, camera, settings, samples, !options.no_cache);

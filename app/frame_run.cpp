@@ -70,7 +70,7 @@ FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& sh
     }
     pipeline.timer().finish();
     FrameRun run{pipeline.picture(), pipeline.timer().clock(), pipeline.timer().timings(),
-                 pipeline.bytes()};
+                 pipeline.bytes(), pipeline.counts()};
     check_gl_error("reading the picture");
     return run;
 }

@@ -41,6 +41,7 @@ struct FrameRun {
     TimerClock clock = TimerClock::none;
     std::vector<PassTiming> timings; ///< without the first frame, which compiles, unless alone
     std::vector<StructureBytes> bytes;
+    std::vector<NamedCount> counts; ///< of the last frame
 };
 
 /// Renders as many frames as the settings say, from the first on: a pipeline that has rendered

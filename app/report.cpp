@@ -76,6 +76,9 @@ std::string report_json(const ReportFacts& facts) {
     json["bytes"] = Json::object();
     for (const StructureBytes& structure : facts.bytes)
         json["bytes"][structure.name] = structure.bytes;
+    json["counts"] = Json::object();
+    for (const NamedCount& counted : facts.counts)
+        json["counts"][counted.name] = counted.count;
     if (facts.errors)
         json["errors"] = {{"reference_samples", facts.errors->samples},
                           {"reference_seconds", facts.errors->reference_seconds},
@@ -128,6 +131,10 @@ std::string report_table(const ReportFacts& facts) {
         total_bytes += structure.bytes;
     }
     text += fmt::format("{:<20} {:>12}\n", "sum", total_bytes);
+    if (!facts.counts.empty())
+        text += fmt::format("\n{:<20} {:>12}\n", "last frame", "count");
+    for (const NamedCount& counted : facts.counts)
+        text += fmt::format("{:<20} {:>12}\n", counted.name, counted.count);
     if (facts.errors) {
         text += '\n';
         text += error_table(*facts.errors);

@@ -37,6 +37,7 @@ struct ReportFacts {
     TimerClock clock = TimerClock::none;
     std::vector<PassTiming> timings;
     std::vector<StructureBytes> bytes;
+    std::vector<NamedCount> counts; ///< of the last frame
     std::optional<ReportErrors> errors;
 };
 

@@ -148,6 +148,10 @@ Image Pipeline::picture() const {
     return image;
 }
 
+std::vector<NamedCount> Pipeline::counts() const {
+    return tracer_ ? tracer_->counts() : std::vector<NamedCount>{};
+}
+
 std::vector<StructureBytes> Pipeline::bytes() const {
     std::vector<StructureBytes> all = {{"scene", scene_.bytes()}};
     if (!source_.motion.parts.empty())

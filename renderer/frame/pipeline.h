@@ -51,6 +51,8 @@ public:
 
     PassTimer& timer() { return timer_; }
     std::vector<StructureBytes> bytes() const;
+    /// What the last frame counted, such as rays that were given up. Waits for the GPU.
+    std::vector<NamedCount> counts() const;
 
 private:
     void restart_on_change(const Settings& settings, const Camera& camera);

@@ -28,4 +28,10 @@ struct StructureBytes {
     size_t bytes = 0;
 };
 
+/// Something that was counted on the GPU during a frame.
+struct NamedCount {
+    std::string name;
+    uint64_t count = 0;
+};
+
 } // namespace romascope

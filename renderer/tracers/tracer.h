@@ -41,6 +41,8 @@ public:
     /// What `bytes()` can come to at most under these settings, whatever the scene; known before
     /// anything is built.
     virtual size_t bytes_needed(const Settings& settings) const = 0;
+    /// What tracing counted since the last build, such as rays that it gave up. Waits for the GPU.
+    virtual std::vector<NamedCount> counts() const { return {}; }
     /// All programs of the build and of the views under these settings, for tests that compile
     /// them.
     virtual std::vector<ShaderVariant> build_variants(const Settings& settings) const = 0;

@@ -30,7 +30,7 @@ def documented_fields():
 def fields(report):
     """(name as the page writes it, value) of everything in a report."""
     for key, value in report.items():
-        if key in ("settings", "bytes"):
+        if key in ("settings", "bytes", "counts"):
             yield from ((f"{key}.*", entry) for entry in value.values())
         elif key == "passes":
             yield from ((f"passes[].{name}", entry)
@@ -63,13 +63,15 @@ class Report(CliTest):
         documented = documented_fields()
         self.assertGreater(len(documented), 30)
         for words in ((), ("--technique", "roma"), ("--reference", "4"),
-                      ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60")):
+                      ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60"),
+                      ("--set", "roma.snap=false")):
             report = self.report(*words)
             found = {name for name, _ in fields(report)}
             # A scene need not have animations or notices.
             maybe = {name for name in documented if name.startswith(
                 ("scene.animations[]", "scene.notices[]")
-                + (() if "--reference" in words else ("errors.",)))}
+                + (() if "--reference" in words else ("errors.",))
+                + (() if "roma.snap=false" in words else ("counts.",)))}
             self.assertEqual(found - documented.keys(), set())
             self.assertEqual(documented.keys() - found - maybe, set())
             self.assertIn("animations", report["scene"])

@@ -76,4 +76,23 @@ std::vector<RomaTestResult> trace_roma_rays(ShaderLibrary& shaders, const RomaTr
     return out.download<RomaTestResult>();
 }
 
+void expect_walks(const std::vector<RomaTestResult>& results, const RomaTracer& tracer,
+                  const std::function<RomaTestWalk(size_t)>& walk) {
+    size_t hits = 0, unfinished = 0;
+    for (size_t i = 0; i < results.size(); ++i) {
+        const RomaTestWalk expected = walk(i);
+        ASSERT_EQ(results[i].given.w, expected.distance) << "ray " << i;
+        ASSERT_EQ(results[i].given.z != 0.0f, expected.distance >= 0.0f) << "ray " << i;
+        hits += expected.distance >= 0.0f;
+        unfinished += expected.unfinished;
+    }
+    EXPECT_GT(hits, results.size() / 100);
+    EXPECT_LT(hits, results.size());
+    // Each ray was traced for any hit and for the closest.
+    const std::vector<NamedCount> counts = tracer.counts();
+    ASSERT_EQ(counts.size(), 2u);
+    EXPECT_EQ(counts[0].count, 2 * results.size());
+    EXPECT_EQ(counts[1].count, 2 * unfinished);
+}
+
 } // namespace romascope

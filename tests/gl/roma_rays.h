@@ -5,6 +5,8 @@
 
 #include "tests/gl/gl_test.h"
 
+#include <functional>
+
 namespace romascope {
 
 struct RomaTestRay {
@@ -25,5 +27,16 @@ std::vector<RomaTestRay> random_roma_rays(std::mt19937& random, const Bounds& bo
 std::vector<RomaTestResult> trace_roma_rays(ShaderLibrary& shaders, const RomaTracer& tracer,
                                             const Settings& settings,
                                             const std::vector<RomaTestRay>& rays);
+
+/// What the ray's own direction should give, without snapping.
+struct RomaTestWalk {
+    float distance;
+    bool unfinished;
+};
+
+/// Results of tracing with roma.snap off, and what was counted, are to the bit what a twin says.
+/// `walk`: the twin, for a ray by its place.
+void expect_walks(const std::vector<RomaTestResult>& results, const RomaTracer& tracer,
+                  const std::function<RomaTestWalk(size_t)>& walk);
 
 } // namespace romascope

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The rotation and its tracing: GPU against the CPU twin, bit for bit, and both against a walk in
 // double precision that shares no code with them.
-#include "renderer/tracers/roma/roma_cpu.h"
+#include "renderer/tracers/roma/walk_cpu.h"
 #include "shaders/tracers/roma/concentric.h"
 #include "tests/gl/roma_rays.h"
 
+#include <algorithm>
 #include <bit>
 #include <cmath>
 
@@ -190,6 +191,46 @@ TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     }
     EXPECT_GT(compared, rays.size() / 2); // the exception must not swallow the test
     EXPECT_GT(hits, compared / 20);
+}
+
+TEST_P(RomaCases, EscapingRaysEqualTheirTwinBitForBit) {
+    settings_.set(kRomaEscape, 3);
+    prepare(GetParam(), 15);
+    const std::vector<RomaTestRay> rays = random_rays(5000);
+    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
+    size_t escaped = 0;
+    for (size_t i = 0; i < rays.size(); ++i) {
+        const AlignedMap& map = maps_[static_cast<size_t>(rays[i].choice.x)];
+        const gpu::RomaRay ray = on_cpu(rays[i], rays[i].choice.x, rays[i].choice.y != 0);
+        const auto hit = closest_hit_on_cpu(map, ray, 3);
+        ASSERT_EQ(results[i].given.y, hit ? *hit * map.direction.row_v.w : -1.0f) << "ray " << i;
+        ASSERT_EQ(results[i].given.x != 0.0f, hit.has_value()) << "ray " << i;
+        escaped += hit != closest_hit_on_cpu(map, ray);
+    }
+    EXPECT_GT(escaped, 0u);
+}
+
+TEST_P(RomaCases, UnsnappedRaysEqualTheirTwinBitForBit) {
+    settings_.set(kRomaSnap, false);
+    for (const int iterations : {1, 5, 64}) {
+        const int escape = iterations % 3;
+        settings_.set(kRomaIterations, iterations);
+        settings_.set(kRomaEscape, escape);
+        maps_.clear();
+        prepare(GetParam(), 14);
+        const std::vector<RomaTestRay> rays = random_rays(4000);
+        expect_walks(trace_on_gpu(rays), *tracer_, [&](size_t i) {
+            const glm::vec3 direction(rays[i].direction);
+            const auto& map = *std::ranges::min_element(maps_, {}, [&](const AlignedMap& one) {
+                return gpu::roma_crossings(gpu::roma_turned(one.direction, direction));
+            });
+            const gpu::RomaWalk walk = gpu::roma_walk_in_box(
+                map.direction, glm::vec3(rays[i].point) - bounds_.centre(),
+                glm::vec3(rays[i].normal), direction, rays[i].direction.w, map.side);
+            const WalkResult result = walk_on_cpu(map, walk, iterations, escape);
+            return RomaTestWalk{result.distance, result.unfinished};
+        });
+    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

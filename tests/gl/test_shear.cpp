@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Alignment by shear and its tracing: GPU against the CPU twin, bit for bit.
 // tests/unit/test_shear.cpp has the twin against walks in double precision.
-#include "renderer/tracers/roma/shear_cpu.h"
+#include "renderer/tracers/roma/walk_cpu.h"
 #include "shaders/tracers/roma/concentric.h"
 #include "tests/gl/roma_rays.h"
 
@@ -116,6 +116,29 @@ TEST_P(ShearCases, TracingEqualsItsTwinBitForBit) {
         }
         EXPECT_GT(hits, rays.size() / 30);
         EXPECT_LT(hits, rays.size() * 19 / 20);
+    }
+}
+
+TEST_P(ShearCases, UnsnappedRaysEqualTheirTwinBitForBit) {
+    settings_.set(kRomaSnap, false);
+    for (const int iterations : {1, 5, 64}) {
+        const int escape = iterations % 3;
+        settings_.set(kRomaIterations, iterations);
+        settings_.set(kRomaEscape, escape);
+        prepare(GetParam(), 14);
+        const std::vector<RomaTestRay> rays =
+            random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), 4000);
+        expect_walks(trace_roma_rays(shaders_, tracer_, settings_, rays), tracer_, [&](size_t i) {
+            const glm::vec3 direction(rays[i].direction);
+            const auto& map = *std::ranges::min_element(maps_, {}, [&](const ShearedMap& one) {
+                return gpu::roma_crossings(gpu::shear_turned_direction(one.map, direction));
+            });
+            const gpu::RomaWalk walk =
+                gpu::shear_walk(map.grid, map.map, glm::vec3(rays[i].point),
+                                glm::vec3(rays[i].normal), direction, rays[i].direction.w);
+            const WalkResult result = walk_on_cpu(map, walk, iterations, escape);
+            return RomaTestWalk{result.distance, result.unfinished};
+        });
     }
 }
 

@@ -71,6 +71,22 @@ inline const Knob<RomaSampling> kRomaSampling{
      .source = "candidates: no ray falls below its surface"},
     RomaSampling::candidates,
     {"snap", "candidates"}};
+inline const Knob<bool> kRomaSnap{
+    {.key = "roma.snap",
+     .unit = "",
+     .help = "Rays are snapped to candidates, which takes constant time; else they keep their "
+             "direction and pass from column to column, and roma.sampling has no meaning.",
+     .source = "Zeng et al. 2023, section 4.2: for rays over the whole hemisphere"},
+    true};
+inline const Knob<int> kRomaIterations{
+    {.key = "roma.iterations",
+     .unit = "columns",
+     .help = "With roma.snap off, how many columns a ray may pass; what is left of it goes on "
+             "snapped, and is counted.",
+     .source = "Zeng et al. 2023, section 4.2: enough for soft shadows"},
+    8,
+    1,
+    64};
 inline const Knob<RomaInvocations> kRomaInvocations{
     {.key = "roma.invocations",
      .unit = "",

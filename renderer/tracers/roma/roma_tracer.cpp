@@ -11,11 +11,14 @@ bool is_sheared(const Settings& settings) {
     return settings.get(kRomaAlignment) == RomaAlignment::shear;
 }
 
+constexpr size_t kCounters = 2;
+
 } // namespace
 
 std::vector<const KnobBase*> roma_knobs() {
-    return {&kRomaAlignment,    &kRomaTaps,   &kRomaAngularResolution, &kRomaDirectionJitter,
-            &kRomaNormalOffset, &kRomaEscape, &kRomaSampling,          &kRomaInvocations};
+    return {&kRomaAlignment,    &kRomaTaps,       &kRomaAngularResolution, &kRomaDirectionJitter,
+            &kRomaNormalOffset, &kRomaEscape,     &kRomaSampling,          &kRomaSnap,
+            &kRomaIterations,   &kRomaInvocations};
 }
 
 std::unique_ptr<Tracer> make_roma_tracer() { return std::make_unique<RomaTracer>(); }
@@ -41,6 +44,7 @@ void RomaTracer::align(const FrameContext& frame, const Texture& base, const Occ
         rotation_.build(frame, base, grid, bounds, candidates_);
     }
     upload_candidates(settings, bounds.centre());
+    clear_counts(settings);
 }
 
 void RomaTracer::upload_candidates(const Settings& settings, glm::vec3 centre) {
@@ -51,18 +55,38 @@ void RomaTracer::upload_candidates(const Settings& settings, glm::vec3 centre) {
     upload_or_replace(candidate_buffer_, "roma candidates", std::span<const glm::vec4>(uniforms));
 }
 
+void RomaTracer::clear_counts(const Settings& settings) {
+    if (settings.get(kRomaSnap)) {
+        count_buffer_ = {};
+        return;
+    }
+    constexpr uint32_t kZero[kCounters] = {};
+    upload_or_replace(count_buffer_, "roma counts", std::span<const uint32_t>(kZero));
+}
+
+std::vector<NamedCount> RomaTracer::counts() const {
+    if (count_buffer_.bytes() == 0)
+        return {};
+    const std::vector<uint32_t> counts = count_buffer_.download<uint32_t>();
+    return {{"rays", counts[0]}, {"unfinished rays", counts[1]}};
+}
+
 std::vector<ShaderDefine> RomaTracer::shader_defines(const Settings& settings) const {
     std::vector<ShaderDefine> defines =
         is_sheared(settings) ? Shearing::defines(settings) : Rotation::defines(settings);
     defines.push_back({"ROMA_SHEAR", is_sheared(settings) ? "1" : "0"});
-    for (ShaderDefine& define :
-         romascope::shader_defines(settings, {&kRomaAngularResolution, &kRomaEscape}))
-        defines.push_back(std::move(define));
+    const auto add = [&](std::vector<ShaderDefine> more) {
+        for (ShaderDefine& define : more)
+            defines.push_back(std::move(define));
+    };
+    add(romascope::shader_defines(settings, {&kRomaAngularResolution, &kRomaEscape, &kRomaSnap}));
+    if (!settings.get(kRomaSnap))
+        add(romascope::shader_defines(settings, {&kRomaIterations}));
     return defines;
 }
 
 bool RomaTracer::sample_candidates(const Settings& settings) const {
-    return settings.get(kRomaSampling) == RomaSampling::candidates;
+    return settings.get(kRomaSnap) && settings.get(kRomaSampling) == RomaSampling::candidates;
 }
 
 void RomaTracer::bind(const Program&) const {
@@ -71,17 +95,21 @@ void RomaTracer::bind(const Program&) const {
     else
         rotation_.bind();
     candidate_buffer_.bind(GL_UNIFORM_BUFFER, 4);
+    if (count_buffer_.bytes() > 0)
+        count_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 5);
 }
 
 std::vector<StructureBytes> RomaTracer::bytes() const {
     return {occupancy_.bytes(),
-            {"roma maps", rotation_.bytes() + shearing_.bytes() + candidate_buffer_.bytes()}};
+            {"roma maps", rotation_.bytes() + shearing_.bytes() + candidate_buffer_.bytes() +
+                              count_buffer_.bytes()}};
 }
 
 size_t RomaTracer::bytes_needed(const Settings& settings) const {
     const auto strata = static_cast<size_t>(settings.get(kRomaAngularResolution));
     const size_t uniforms = (strata * strata + 1) * sizeof(glm::vec4);
-    return OccupancyMap::bytes_needed(settings) + uniforms +
+    const size_t counts = settings.get(kRomaSnap) ? 0 : kCounters * sizeof(uint32_t);
+    return OccupancyMap::bytes_needed(settings) + uniforms + counts +
            (is_sheared(settings) ? Shearing::bytes_needed(settings)
                                  : Rotation::bytes_needed(settings));
 }

@@ -24,6 +24,7 @@ public:
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
     size_t bytes_needed(const Settings& settings) const override;
+    std::vector<NamedCount> counts() const override;
     std::vector<ShaderVariant> build_variants(const Settings& settings) const override;
     std::vector<std::string_view> views() const override;
     void draw_view(const FrameContext& frame, std::string_view view,
@@ -39,6 +40,7 @@ public:
     const Shearing& shearing() const { return shearing_; }
 
 private:
+    void clear_counts(const Settings& settings);
     void upload_candidates(const Settings& settings, glm::vec3 centre);
 
     OccupancyMap occupancy_;
@@ -47,6 +49,7 @@ private:
     Rotation rotation_;       ///< empty unless that is the alignment
     Shearing shearing_;       ///< likewise
     Buffer candidate_buffer_; ///< std140 RomaCandidates of roma_tracer.glsl
+    Buffer count_buffer_;     ///< std430 RomaCounts of unsnapped.glsl; empty while rays are snapped
     OccupancySlice occupancy_slice_;
     MapView map_view_;
 };

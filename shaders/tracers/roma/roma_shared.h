@@ -7,7 +7,7 @@
 // coordinates" count its cells from one corner: cell (i, j, k) spans [i, i+1) x [j, j+1) x [k,
 // k+1).
 #pragma once
-#include "shaders/tracers/roma/span.h"
+#include "shaders/tracers/roma/walk.h"
 #ifdef __cplusplus
 namespace romascope::gpu {
 #endif
@@ -47,6 +47,14 @@ SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point, int side) {
     return vec3(u, v, w);
 }
 
+/// No cells, if the column lies beside the box.
+SHARED_FN RomaSpan roma_in_box(RomaSpan span, int side) {
+    // As unsigned numbers, those below 0 are beyond the end as well.
+    if (uint(span.column.x) >= uint(side) || uint(span.column.y) >= uint(side))
+        span.last = span.first - 1;
+    return span;
+}
+
 /// The cells that a snapped ray passes. `start`: aligned coordinates of the ray's origin, moved off
 /// the surface; it may lie outside. The others as for roma_slices.
 SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forward, int side) {
@@ -55,10 +63,7 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     float limit = float(side);
     span.column =
         ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
-    // As unsigned numbers, those below 0 are beyond the end as well.
-    if (uint(span.column.x) >= uint(side) || uint(span.column.y) >= uint(side))
-        span.last = span.first - 1;
-    return span;
+    return roma_in_box(span, side);
 }
 
 /// `point`: the surface point in metres from the centre of the box; `normal`: unit. `t_max`: metres
@@ -79,6 +84,28 @@ SHARED_FN bool roma_is_forward(RomaDirection map, vec3 direction) {
     EXACT float along =
         direction.x * map.row_w.x + direction.y * map.row_w.y + direction.z * map.row_w.z;
     return along >= 0.0f;
+}
+
+/// A direction in aligned coordinates, per metre.
+SHARED_FN vec3 roma_turned(RomaDirection map, vec3 direction) {
+    EXACT float u =
+        map.row_u.x * direction.x + map.row_u.y * direction.y + map.row_u.z * direction.z;
+    EXACT float v =
+        map.row_v.x * direction.x + map.row_v.y * direction.y + map.row_v.z * direction.z;
+    EXACT float w =
+        map.row_w.x * direction.x + map.row_w.y * direction.y + map.row_w.z * direction.z;
+    return vec3(u, v, w);
+}
+
+/// A ray that keeps its direction; the others as for roma_ray.
+SHARED_FN RomaWalk roma_walk_in_box(RomaDirection map, vec3 point, vec3 normal, vec3 direction,
+                                    float t_max, int side) {
+    EXACT vec3 moved = point + normal * map.row_w.w;
+    vec3 start = roma_aligned(map, moved, side);
+    vec3 turned = roma_turned(map, direction);
+    EXACT vec3 step = turned * abs(roma_reciprocal(turned.z));
+    vec2 inside = roma_way_inside(start, step, vec3(float(side)));
+    return roma_walk(start, roma_aligned(map, point, side).z, turned, inside, t_max);
 }
 
 #ifdef __cplusplus

@@ -14,6 +14,22 @@ RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max)
     return roma_ray(roma_directions[map], forward, relative, normal, t_max, ROMA_SIDE);
 }
 
+RomaWalk roma_walk_in(int map, vec3 point, vec3 normal, vec3 direction, float t_max) {
+    precise vec3 relative = point - roma_centre.xyz;
+    return roma_walk_in_box(roma_directions[map], relative, normal, direction, t_max, ROMA_SIDE);
+}
+
+float roma_crossings_in(int map, vec3 direction) {
+    return roma_crossings(roma_turned(roma_directions[map], direction));
+}
+
+/// The cells of a span that its column has.
+RomaSpan roma_bounded(int map, RomaSpan span, bool forward) {
+    return roma_in_box(span, ROMA_SIDE);
+}
+
+int roma_slice_count(int map) { return ROMA_SIDE; }
+
 bool roma_forward_in(int map, vec3 direction) { return roma_is_forward(roma_directions[map], direction); }
 
 float roma_metres_per_slice(int map) { return roma_directions[map].row_v.w; }

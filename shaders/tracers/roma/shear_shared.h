@@ -13,7 +13,7 @@
 // Slopes are whole numbers of 2^-kShearFractionBits, and all that decides about cells is done in
 // integers.
 #pragma once
-#include "shaders/tracers/roma/span.h"
+#include "shaders/tracers/roma/walk.h"
 #ifdef __cplusplus
 namespace romascope::gpu {
 #endif
@@ -207,6 +207,24 @@ SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 poi
     ray.span.column = shear_column(size, shear_aligned(map, moved));
     ray.span = shear_inside(map, size, grid.columns.w, ray.span, forward);
     return ray;
+}
+
+/// A direction in aligned coordinates, per cell.
+SHARED_FN vec3 shear_turned_direction(ShearMap map, vec3 direction) {
+    return shear_aligned(map, shear_turned(direction, map.slope.z));
+}
+
+/// A ray that keeps its direction; the others as for shear_ray.
+SHARED_FN RomaWalk shear_walk(ShearGrid grid, ShearMap map, vec3 point, vec3 normal, vec3 direction,
+                              float t_max) {
+    int m = map.slope.z;
+    vec3 surface = shear_cells(grid, m, point);
+    EXACT vec3 moved = surface + shear_turned(normal, m) * grid.inverse.w;
+    EXACT vec3 turned = shear_turned(direction, m) * grid.origin.w;
+    EXACT vec3 step = turned * abs(roma_reciprocal(turned.z));
+    vec2 inside = roma_way_inside(moved, step, vec3(shear_size(grid, m)));
+    return roma_walk(shear_aligned(map, moved), surface.z, shear_aligned(map, turned), inside,
+                     t_max);
 }
 
 /// Whether a direction points to the candidate's side, rather than to its opposite's.

@@ -16,6 +16,22 @@ RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max)
     return shear_ray(shear_grid, shear_maps[map], forward, point, normal, t_max);
 }
 
+RomaWalk roma_walk_in(int map, vec3 point, vec3 normal, vec3 direction, float t_max) {
+    return shear_walk(shear_grid, shear_maps[map], point, normal, direction, t_max);
+}
+
+float roma_crossings_in(int map, vec3 direction) {
+    return roma_crossings(shear_turned_direction(shear_maps[map], direction));
+}
+
+/// The cells of a span that its column has.
+RomaSpan roma_bounded(int map, RomaSpan span, bool forward) {
+    ivec3 size = shear_size(shear_grid, shear_maps[map].slope.z);
+    return shear_inside(shear_maps[map], size, shear_grid.columns.w, span, forward);
+}
+
+int roma_slice_count(int map) { return shear_size(shear_grid, shear_maps[map].slope.z).z; }
+
 bool roma_forward_in(int map, vec3 direction) { return shear_is_forward(shear_maps[map], direction); }
 
 float roma_metres_per_slice(int map) { return shear_maps[map].scale.w; }
