@@ -118,6 +118,7 @@ public:
     size_t bytes() const { return buffer_.bytes(); }
     void bind(GLuint unit) const;
     void bind_image(GLuint unit, GLenum access) const;
+    void bind_storage(GLuint slot) const { buffer_.bind(GL_SHADER_STORAGE_BUFFER, slot); }
     /// All texels, the components of each after one another.
     std::vector<GLuint> download() const { return buffer_.download<GLuint>(); }
 

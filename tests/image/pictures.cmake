@@ -11,6 +11,7 @@ picture_test(hall_nave_ao ARGS hall --camera nave --size 160x90 --frames 16 --se
 picture_test(hall_stairs_ao ARGS hall --camera stairs --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(hall_gallery_ao ARGS hall --camera gallery --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(hall_nave_ao_snap ARGS hall --camera nave --size 160x90 --frames 4 --technique roma-snap MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(hall_stairs_ao_shear ARGS hall --camera stairs --size 160x90 --frames 4 --technique roma-shear MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(hall_stairs_ao_64_directions ARGS hall --camera stairs --size 160x90 --frames 4 --set roma.angular_resolution=8 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(hall_stairs_ao_dda ARGS hall --camera stairs --size 160x90 --frames 4 --technique dda MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(hall_stairs_ao_dda2d ARGS hall --camera stairs --size 160x90 --frames 4 --technique dda2d MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})

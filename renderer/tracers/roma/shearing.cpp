@@ -9,7 +9,7 @@
 namespace romascope {
 namespace {
 
-static_assert(sizeof(gpu::ShearGrid) == 5 * 16, "std430 layout of ShearGrid");
+static_assert(sizeof(gpu::ShearGrid) == 5 * 16, "std140 layout of ShearGrid");
 static_assert(offsetof(gpu::ShearGrid, columns) == 2 * 16);
 static_assert(sizeof(gpu::ShearMap) == 2 * 16, "std430 layout of ShearMap");
 
@@ -41,10 +41,11 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     const int taps = settings.get(kRomaTaps);
     layout_ = ColumnLayout::of(settings.get(kOccupancyResolution));
     frame_ = shear_frame(candidates, grid, taps, layout_.texels, settings.get(kRomaNormalOffset));
-    upload_frame();
+    upload_or_replace(grid_buffer_, "shear grid", std::span<const gpu::ShearGrid>(&frame_.grid, 1));
+    upload_or_replace(map_buffer_, "sheared maps", std::span<const gpu::ShearMap>(frame_.maps));
     packing_words_ = shear_packing_words(shear_packings(grid.size, shear_guard(taps)));
-    if (packed_rows_.bytes() < packing_words_ * sizeof(GLuint))
-        packed_rows_ = Buffer("packed rows", packing_words_ * sizeof(GLuint));
+    if (packed_rows_.texels() < packing_words_)
+        packed_rows_ = TexelBuffer("packed rows", GL_R32UI, packing_words_);
     if (texels_.format() != layout_.format || texels_.texels() < frame_.texels)
         texels_ = TexelBuffer("roma maps", layout_.format, frame_.texels);
     const bool many = wants_many_invocations(settings);
@@ -55,7 +56,8 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     pack(frame, base, grid.size, many);
     auto pass = frame.timer.compute("roma shear");
     program.use();
-    packed_rows_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    packed_rows_.bind(0);
+    grid_buffer_.bind(GL_UNIFORM_BUFFER, 5);
     map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     texels_.bind_image(0, GL_WRITE_ONLY);
     glm::ivec2 columns(0);
@@ -65,16 +67,6 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels;
     program.dispatch_covering({row, columns.y * (many ? layout_.words_per_texel : 1), layers});
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
-}
-
-void Shearing::upload_frame() {
-    std::vector<std::byte> bytes;
-    const auto append = [&bytes](std::span<const std::byte> more) {
-        bytes.insert(bytes.end(), more.begin(), more.end());
-    };
-    append(std::as_bytes(std::span(&frame_.grid, 1)));
-    append(std::as_bytes(std::span(frame_.maps)));
-    upload_or_replace(map_buffer_, "sheared maps", std::span<const std::byte>(bytes));
 }
 
 void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many) {
@@ -88,16 +80,17 @@ void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 s
     const glm::ivec2 row_words(frame_.grid.row_words.z, frame_.grid.row_words.x);
     program.set("row_words", row_words);
     base.bind(0);
-    packed_rows_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    packed_rows_.bind_storage(0);
     const int words = std::max(row_words.x, row_words.y) * (many ? 32 : 1);
     const int others = std::max(size.x, size.y) + 2 * guard;
     const int layers = (size.z + 2 * guard + 31) / 32;
     program.dispatch_covering({words, others, 2 * layers});
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 void Shearing::bind() const {
     texels_.bind(4);
+    grid_buffer_.bind(GL_UNIFORM_BUFFER, 5);
     map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
 }
 
@@ -142,7 +135,7 @@ std::vector<uint32_t> Shearing::download_map(int index) const {
 }
 
 std::vector<uint32_t> Shearing::download_packings() const {
-    std::vector<uint32_t> words = packed_rows_.download<uint32_t>();
+    std::vector<uint32_t> words = packed_rows_.download();
     words.resize(packing_words_);
     return words;
 }

@@ -15,11 +15,13 @@ public:
     void build(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
                std::span<const glm::dvec3> candidates);
 
-    /// For sheared_maps.glsl: texture unit 4 and storage block 4.
+    /// For sheared_maps.glsl: texture unit 4, storage block 4 and uniform block 5.
     void bind() const;
     static std::vector<ShaderDefine> defines(const Settings& settings);
 
-    size_t bytes() const { return texels_.bytes() + map_buffer_.bytes() + packed_rows_.bytes(); }
+    size_t bytes() const {
+        return texels_.bytes() + grid_buffer_.bytes() + map_buffer_.bytes() + packed_rows_.bytes();
+    }
     /// For a scene like a cube, which needs the most.
     static size_t bytes_needed(const Settings& settings);
     static std::vector<ShaderVariant> variants(const Settings& settings);
@@ -30,15 +32,15 @@ public:
     std::vector<uint32_t> download_packings() const;
 
 private:
-    void upload_frame();
     void pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many);
 
     ShearFrame frame_;
     ColumnLayout layout_{};
     size_t packing_words_ = 0;
     ProgramSlot pack_program_, shear_program_;
-    Buffer packed_rows_;
-    Buffer map_buffer_; ///< std430 ShearGrid, ShearMap[]
+    TexelBuffer packed_rows_; ///< R32UI; a frame's may be longer than the next one's
+    Buffer grid_buffer_;      ///< std140 ShearGrid
+    Buffer map_buffer_;       ///< std430 ShearMap[]
     /// Grows to what the frames so far needed at most: which axes the candidates of a frame have,
     /// and so how many columns, is up to chance.
     TexelBuffer texels_;

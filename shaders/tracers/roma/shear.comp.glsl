@@ -20,11 +20,9 @@ layout(local_size_x = 1, local_size_y = 8) in;
 #include "shaders/tracers/roma/transpose.glsl"
 
 layout(ROMA_FORMAT, binding = 0) writeonly uniform uimageBuffer aligned_maps;
-layout(std430, binding = 0) readonly buffer PackedRows { uint packed_rows[]; };
-layout(std430, binding = 1) readonly buffer ShearMaps {
-    ShearGrid shear_grid;
-    ShearMap shear_maps[];
-};
+layout(binding = 0) uniform usamplerBuffer packed_rows; // a software renderer loads blocks lane by lane
+layout(std140, binding = 5) uniform ShearShared { ShearGrid shear_grid; };
+layout(std430, binding = 1) readonly buffer ShearMaps { ShearMap shear_maps[]; };
 
 /// In slice `slice`, the cells of the 32 columns from `first` on; those beyond the last column are
 /// the first again. `size`: columns along p and q, slices.
@@ -38,8 +36,8 @@ uint cells_of_slice(ShearMap map, ivec3 size, ivec2 first, int slice) {
         int word = place.y * shear_grid.row_words[m] + (place.x >> 5);
         int at = shear_grid.first_word[m] + word * size.z + slice;
         int shift = place.x & 31;
-        uint low = packed_rows[at] >> shift;
-        uint high = packed_rows[at + size.z];
+        uint low = texelFetch(packed_rows, at).x >> shift;
+        uint high = texelFetch(packed_rows, at + size.z).x;
         cells |= shift == 0 ? low : low | (high << (32 - shift));
     }
     return cells;

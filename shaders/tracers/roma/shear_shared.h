@@ -21,7 +21,7 @@ namespace romascope::gpu {
 /// Products of two fractions of a cell fit a signed integer.
 const int kShearFractionBits = 15;
 
-/// What the maps of all directions share. Laid out for std430.
+/// What the maps of all directions share. Laid out for std140.
 struct ShearGrid {
     vec4 origin;   ///< xyz: lower corner of the grid, metres; w: cells per metre
     vec4 inverse;  ///< xyz: 1 / columns; w: normal offset, cells

@@ -6,10 +6,8 @@
 #include "shaders/tracers/roma/shear_shared.h"
 
 layout(binding = 4) uniform usamplerBuffer aligned_maps;
-layout(std430, binding = 4) readonly buffer ShearMaps {
-    ShearGrid shear_grid;
-    ShearMap shear_maps[];
-};
+layout(std140, binding = 5) uniform ShearShared { ShearGrid shear_grid; };
+layout(std430, binding = 4) readonly buffer ShearMaps { ShearMap shear_maps[]; };
 
 /// `point`: metres.
 RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
