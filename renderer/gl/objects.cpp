@@ -193,6 +193,16 @@ void TexelBuffer::bind_image(GLuint unit, GLenum access) const {
     glBindImageTexture(unit, handle_.id(), 0, GL_FALSE, 0, access, format_);
 }
 
+TexelView::TexelView(const std::string& label, GLenum format, const Buffer& buffer) {
+    GLuint id = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
+    handle_ = GlHandle<delete_texture>(id);
+    set_label(GL_TEXTURE, id, label);
+    glTextureBuffer(id, format, buffer.id());
+}
+
+void TexelView::bind(GLuint unit) const { glBindTextureUnit(unit, handle_.id()); }
+
 Framebuffer::Framebuffer(const std::string& label, std::span<const Texture* const> colors,
                          const Texture* depth) {
     GLuint id = 0;

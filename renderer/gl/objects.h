@@ -129,6 +129,18 @@ private:
     size_t texels_ = 0;
 };
 
+/// The texels of a buffer that belongs to someone else and lives longer. A driver fetches the first
+/// GL_MAX_TEXTURE_BUFFER_SIZE of them.
+class TexelView {
+public:
+    TexelView() = default;
+    TexelView(const std::string& label, GLenum format, const Buffer& buffer);
+    void bind(GLuint unit) const;
+
+private:
+    GlHandle<delete_texture> handle_;
+};
+
 /// A framebuffer of textures, or of a size alone for passes that write by image stores only.
 class Framebuffer {
 public:

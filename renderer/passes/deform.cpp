@@ -101,7 +101,8 @@ void Deform::run(const ShaderLibrary& shaders, PassTimer& timer, GpuScene& scene
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); // the last frame has read before
     program.dispatch_covering({std::min(vertex_count, gpu::kDeformRow),
                                (vertex_count + gpu::kDeformRow - 1) / gpu::kDeformRow, 1});
-    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
+    glMemoryBarrier(GL_VERTEX_ATTRIB_ARRAY_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT |
+                    GL_TEXTURE_FETCH_BARRIER_BIT);
 }
 
 StructureBytes Deform::bytes() const {

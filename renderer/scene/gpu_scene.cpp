@@ -17,7 +17,9 @@ GpuScene::GpuScene(const Scene& scene)
       vertex_materials_(Buffer::from("vertex materials", std::span(scene.vertex_material))),
       texcoords_(optional_attribute("texture coordinates", scene.texcoords)),
       colors_(optional_attribute("vertex colours", scene.colors)),
-      indices_(Buffer::from("indices", std::span(scene.indices))), groups_(triangle_groups(scene)),
+      indices_(Buffer::from("indices", std::span(scene.indices))),
+      position_texels_("positions", GL_RGB32F, positions_),
+      index_texels_("indices", GL_RGB32UI, indices_), groups_(triangle_groups(scene)),
       surfaces_(scene), bounds_(scene.bounds), rest_diagonal_(glm::length(scene.bounds.extent())) {
     GLuint id = 0;
     glCreateVertexArrays(1, &id);

@@ -27,6 +27,9 @@ public:
     const Buffer& colors() const { return colors_; }
     /// Three a triangle.
     const Buffer& indices() const { return indices_; }
+    /// The same as texels, which shaders fetch whole: RGB32F a vertex, RGB32UI a triangle.
+    const TexelView& position_texels() const { return position_texels_; }
+    const TexelView& index_texels() const { return index_texels_; }
     const Bounds& bounds() const { return bounds_; }
     /// For a scene that moves: of the vertices as they stand in this frame.
     void set_bounds(const Bounds& bounds) { bounds_ = bounds; }
@@ -36,6 +39,7 @@ public:
 
 private:
     Buffer positions_, normals_, vertex_materials_, texcoords_, colors_, indices_;
+    TexelView position_texels_, index_texels_;
     GlHandle<delete_vertex_array> vertex_array_;
     std::vector<TriangleGroup> groups_;
     GpuSurfaces surfaces_;

@@ -93,7 +93,7 @@ TEST_F(OccupancyComputeTest, EqualsTheTwinInGridsOfOtherShapes) {
 
 TEST_F(OccupancyComputeTest, MoreLargeTrianglesThanTheListHoldsAreRightToo) {
     // Copies of one triangle fill the list; those after it are done where they are found.
-    const CellCorners filler = {glm::vec3(1, 2, 3), glm::vec3(9, 2, 4), glm::vec3(2, 9, 5)};
+    const CellCorners filler = {glm::vec3(1, 2, 3), glm::vec3(22, 23, 4), glm::vec3(21, 23, 5)};
     const std::vector<glm::vec3> others = corners_of(
         {TriangleKind::middling, TriangleKind::large, TriangleKind::needle, TriangleKind::small},
         20, 4);

@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/occupancy/compute_builder.h"
 
+#include "renderer/gl/context.h"
 #include "shaders/tracers/occupancy/work_list.h"
 
 #include <algorithm>
 
 namespace romascope {
 namespace {
+
+/// Columns of cells that one invocation goes through at most, but for what the list has no room
+/// for. A GPU waits for its slowest invocation; software pays for each one that sets a triangle up.
+int columns_in_place() { return is_software_context() ? 256 : 16; }
 
 ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked) {
     return {name,
@@ -36,12 +41,16 @@ void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene&
 } // namespace
 
 bool ComputeBuilder::takes(const GpuScene& scene) {
-    GLint64 limit = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &limit);
-    const size_t most = std::max({scene.positions().bytes(), scene.indices().bytes(),
-                                  scene.texcoords().bytes(), scene.colors().bytes()});
-    return most <= static_cast<size_t>(limit) &&
-           scene.indices().bytes() / (3 * sizeof(uint32_t)) < (size_t{1} << (32 - gpu::kPieceBits));
+    GLint texels = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    GLint64 block = 0;
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
+    const size_t vertices = scene.positions().bytes() / sizeof(glm::vec3);
+    const size_t triangles = scene.indices().bytes() / (3 * sizeof(uint32_t));
+    // Texture coordinates are the largest that is read as a block.
+    return std::max(vertices, triangles) <= static_cast<size_t>(texels) &&
+           vertices * sizeof(glm::vec2) <= static_cast<size_t>(block) &&
+           triangles < (size_t{1} << (32 - gpu::kPieceBits));
 }
 
 void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
@@ -53,8 +62,8 @@ void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
     }
     const GpuScene& scene = frame.scene;
     map.bind_image(0, GL_READ_WRITE);
-    scene.positions().bind(GL_SHADER_STORAGE_BUFFER, 2);
-    scene.indices().bind(GL_SHADER_STORAGE_BUFFER, 3);
+    scene.position_texels().bind(0);
+    scene.index_texels().bind(1);
     work_list_.bind(GL_SHADER_STORAGE_BUFFER, 4);
     // Groups differ by their sides too, which do not matter here.
     const std::vector<TriangleGroup>& groups = scene.groups();
@@ -90,6 +99,7 @@ void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, b
     set_grid(small, grid, frame.scene);
     small.set("first_triangle", static_cast<GLuint>(first));
     small.set("triangle_count", static_cast<GLuint>(count));
+    small.set("columns_in_place", columns_in_place());
     const auto row = static_cast<size_t>(gpu::kTriangleRow);
     small.dispatch_covering(
         {static_cast<int>(std::min(count, row)), static_cast<int>((count + row - 1) / row), 1});

@@ -17,8 +17,8 @@ namespace romascope {
 /// triangle faces most does, or beside the triangle at the edge.
 class ComputeBuilder {
 public:
-    /// False for a scene that is too large for this driver's storage blocks: triangles are found by
-    /// their place in buffers.
+    /// False for a scene that is too large for this driver's texel buffers and storage blocks:
+    /// triangles are found by their place in buffers.
     static bool takes(const GpuScene& scene);
 
     /// Adds the scene's cells to `map`.

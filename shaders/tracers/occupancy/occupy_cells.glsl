@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Marks the cells of triangles in the occupancy map, and hands out the strips of large ones.
 //
-// In:   positions, three floats a vertex; indices, three a triangle; with ALPHA_MASK materials,
+// In:   positions, a texel a vertex; indices, a texel a triangle; with ALPHA_MASK materials,
 //       texels, texcoords, colors, vertex_materials too
 // Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
 // Host: grid_origin (metres), cells_per_metre, grid_size (cells); CONSERVATIVE 0 or 1: coverage;
@@ -16,8 +16,8 @@ layout(std430, binding = 7) readonly buffer VertexMaterials { uint vertex_materi
 uniform bool has_texcoords;
 uniform bool has_colors;
 #endif
-layout(std430, binding = 2) readonly buffer Positions { float positions[]; };
-layout(std430, binding = 3) readonly buffer Indices { uint indices[]; };
+layout(binding = 0) uniform samplerBuffer positions;
+layout(binding = 1) uniform usamplerBuffer indices;
 layout(r32ui, binding = 0) uniform uimage3D base_map;
 uniform vec3 grid_origin;
 uniform float cells_per_metre;
@@ -45,13 +45,12 @@ bool there(CellTriangle t, ivec3 cell, int axis) {
 #endif
 
 vec3 cell_position(uint vertex) {
-    vec3 position = vec3(positions[3u * vertex], positions[3u * vertex + 1u], positions[3u * vertex + 2u]);
-    precise vec3 cell = (position - grid_origin) * cells_per_metre;
+    precise vec3 cell = (texelFetch(positions, int(vertex)).xyz - grid_origin) * cells_per_metre;
     return cell;
 }
 
 CellTriangle load_triangle(uint triangle) {
-    uvec3 vertex = uvec3(indices[3u * triangle], indices[3u * triangle + 1u], indices[3u * triangle + 2u]);
+    uvec3 vertex = texelFetch(indices, int(triangle)).xyz;
     vec3 p = cell_position(vertex.x);
     vec3 q = cell_position(vertex.y);
     vec3 r = cell_position(vertex.z);

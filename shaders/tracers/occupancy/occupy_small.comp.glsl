@@ -2,7 +2,8 @@
 // Marks the cells of small triangles and lists large ones. One invocation a triangle.
 //
 // Out:  work list: pieces of large triangles, in any order
-// Host: first_triangle, triangle_count; see occupy_cells.glsl for the rest
+// Host: first_triangle, triangle_count; columns_in_place: how many columns a small triangle spans at
+//       most; see occupy_cells.glsl for the rest
 #include "shaders/tracers/occupancy/occupy_cells.glsl"
 
 layout(local_size_x = 64) in;
@@ -12,6 +13,7 @@ layout(std430, binding = 4) buffer WorkList {
 };
 uniform uint first_triangle;
 uniform uint triangle_count;
+uniform int columns_in_place;
 
 void main() {
     uint index = gl_GlobalInvocationID.y * kTriangleRow + gl_GlobalInvocationID.x;
@@ -24,7 +26,7 @@ void main() {
     ivec3 spans = t.last - t.first + 1;
     uint strips = 0u;
     uint strip = 0u;
-    if (spans.x * spans.y > kColumnsInPlace) {
+    if (spans.x * spans.y > columns_in_place) {
         strips = strip_count(t);
         uint pieces = (strips + kStripsPerPiece - 1u) / kStripsPerPiece;
         uint first = atomicAdd(head.wanted, pieces);
@@ -35,7 +37,7 @@ void main() {
         strip = listed * kStripsPerPiece; // what the list has no room for
     } else {
         for (int u = t.first.x; u <= t.last.x; ++u)
-            mark_row(t, u, CellRange(t.first.y, t.last.y));
+            mark_row(t, u, cells_of_row(t, u, t.first.y, t.last.y));
     }
     for (; strip < strips; ++strip)
         mark_strip(t, strip);

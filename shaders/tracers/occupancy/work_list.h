@@ -7,8 +7,6 @@
 namespace romascope::gpu {
 #endif
 
-/// Triangles that span up to this many columns are finished by the invocation that finds them.
-const int kColumnsInPlace = 16;
 const uint kStripsPerPiece = 32u;
 /// An entry is a triangle and a piece of it: no triangle of a grid of up to 256 cells has more.
 const uint kPieceBits = 6u;
