@@ -9,8 +9,7 @@ layout(std430, binding = 0) readonly buffer Materials { MaterialRecord materials
 layout(std430, binding = 1) readonly buffer Texels { uint texels[]; };
 
 /// Whether the surface is there: its alpha at the finest level, not below the material's cutoff.
-bool surface_is_there(uint material, vec2 uv, float vertex_alpha) {
-    MaterialRecord m = materials[material];
+bool surface_is_there(MaterialRecord m, vec2 uv, float vertex_alpha) {
     float alpha = 255.0;
     if (texture_levels(m) > 0) {
         ivec2 size = texture_size(m);
@@ -22,6 +21,10 @@ bool surface_is_there(uint material, vec2 uv, float vertex_alpha) {
                                square.weight);
     }
     return passes_mask(alpha, m.base_color.w, vertex_alpha, m.emissive.w);
+}
+
+bool surface_is_there(uint material, vec2 uv, float vertex_alpha) {
+    return surface_is_there(materials[material], uv, vertex_alpha);
 }
 
 vec3 linear_texel(uint index) {

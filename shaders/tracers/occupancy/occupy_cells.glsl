@@ -26,7 +26,7 @@ uniform ivec3 grid_size;
 const bool kConservative = CONSERVATIVE != 0;
 
 #if ALPHA_MASK
-uint mask_material = 0u;
+MaterialRecord mask_material = MaterialRecord(vec4(0.0), vec4(0.0), 0u, 0u, 0u, 0u);
 vec3 mask_at[3] = vec3[3](vec3(0.0), vec3(0.0), vec3(0.0)); // u, v, alpha of the corners
 
 vec3 mask_point(uint vertex) {
@@ -57,7 +57,7 @@ CellTriangle load_triangle(uint triangle) {
     int apex = apex_of(p, q, r);
 #if ALPHA_MASK
     uvec3 turned = apex == 0 ? vertex : apex == 1 ? vertex.yzx : vertex.zxy;
-    mask_material = vertex_materials[vertex.x];
+    mask_material = materials[vertex_materials[vertex.x]];
     mask_at[0] = mask_point(turned.x);
     mask_at[1] = mask_point(turned.y);
     mask_at[2] = mask_point(turned.z);
@@ -71,12 +71,14 @@ bool occupied(CellTriangle t, ivec3 cell) {
     if (t.kind == kCellsTest)
         lines = occupancy_of_cell(t, cell, kConservative);
 #if ALPHA_MASK
-#if CONSERVATIVE
-    return lines != 0 && there(t, cell, 2);
-#else
-    return ((lines & 1) != 0 && there(t, cell, 0)) || ((lines & 2) != 0 && there(t, cell, 1)) ||
-           ((lines & 4) != 0 && there(t, cell, 2));
-#endif
+    // Looked up in a loop that most cells leave at once: software goes through both sides of an if.
+    bool found = false;
+    for (int i = 0; i < 3 && lines != 0; ++i) {
+        int axis = kConservative ? 2 : findLSB(lines);
+        found = found || there(t, cell, axis);
+        lines = found ? 0 : lines & (lines - 1);
+    }
+    return found;
 #else
     return lines != 0;
 #endif
