@@ -17,6 +17,7 @@ Command add_view_command(CLI::App& app);
 Command add_render_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_sheet_command(CLI::App& app);
+Command add_bench_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 
 } // namespace romascope

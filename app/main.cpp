@@ -67,7 +67,7 @@ int run(int argc, char** argv) {
     int status = 0;
     std::vector<Command> commands;
     for (const auto& add : {add_view_command, add_render_command, add_compare_command,
-                            add_sheet_command, add_info_command}) {
+                            add_sheet_command, add_bench_command, add_info_command}) {
         const Command command = commands.emplace_back(add(app));
         app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }

@@ -57,20 +57,6 @@ std::string lower(std::string_view text) {
     return out;
 }
 
-/// Whether the knob belongs to tracers alone, none of which is the chosen one.
-bool is_of_other_tracer(const KnobBase& knob, const std::string& chosen) {
-    bool of_any = false;
-    for (const TracerEntry& tracer : tracers()) {
-        const std::vector<const KnobBase*> own = tracer.knobs();
-        if (std::ranges::find(own, &knob) == own.end())
-            continue;
-        if (tracer.name == chosen)
-            return false;
-        of_any = true;
-    }
-    return of_any;
-}
-
 /// What a knob of views is for.
 PictureKind view_of(const KnobBase& knob) {
     return &knob == &kDepthRange ? PictureKind::depth : PictureKind::structure;

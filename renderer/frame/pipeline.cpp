@@ -61,6 +61,16 @@ Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& p
     return camera_at(scene, index, pose);
 }
 
+View view_of_frame(const Settings& settings, const Camera& camera, const Bounds& bounds,
+                   uint32_t frame) {
+    View view;
+    view.camera = camera;
+    view.size = {settings.get(kWidth), settings.get(kHeight)};
+    view.near_plane = std::max(glm::length(bounds.extent()) * kNearPlanePerDiagonal, 1e-12f);
+    view.offset = picture_offset(settings, frame);
+    return view;
+}
+
 Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame) {
     return pose_at(scene.motion, find_animation(scene, settings.get(kAnimation)),
                    time_of_frame(settings, frame));
@@ -109,12 +119,7 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     restart_on_change(settings, camera);
     const FrameContext frame{
         settings, shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)), frame_};
-    View view;
-    view.camera = camera;
-    view.size = {settings.get(kWidth), settings.get(kHeight)};
-    view.near_plane =
-        std::max(glm::length(scene_.bounds().extent()) * kNearPlanePerDiagonal, 1e-12f);
-    view.offset = picture_offset(settings, frame.frame);
+    const View view = view_of_frame(settings, camera, scene_.bounds(), frame_);
 
     gbuffer_.draw(frame, view);
     tracer_->build(frame);

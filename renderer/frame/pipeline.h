@@ -81,6 +81,10 @@ private:
 /// Throws Error (kBadInput) for a name the scene does not have.
 Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose);
 
+/// Camera and picture of frame `frame` of a scene with these bounds.
+View view_of_frame(const Settings& settings, const Camera& camera, const Bounds& bounds,
+                   uint32_t frame);
+
 /// How the scene stands in frame `frame`, counted from 0, by the settings of animation and time.
 /// Throws Error (kBadInput) for an animation the scene does not have.
 Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame);

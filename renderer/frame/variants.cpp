@@ -3,6 +3,7 @@
 
 #include "renderer/frame/pipeline.h"
 #include "renderer/passes/deform.h"
+#include "renderer/passes/empty.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
 #include "renderer/tracers/roma/roma_knobs.h"
 
@@ -59,6 +60,7 @@ std::vector<ShaderVariant> all_shader_variants() {
             all.push_back(variant);
     };
     add(Deform::variant());
+    add(EmptyPass::variant());
     for (const bool detail : {false, true})
         add(GBuffer::variant(detail, false));
     add(GBuffer::variant(true, true));

@@ -17,7 +17,8 @@ TimerClock clock_for_current_context() {
     return bits > 0 ? TimerClock::gpu_timestamps : TimerClock::none;
 }
 
-/// Linear interpolation between order statistics.
+} // namespace
+
 double quantile(std::vector<double> values, double q) {
     if (values.empty())
         return std::nan("");
@@ -27,8 +28,6 @@ double quantile(std::vector<double> values, double q) {
     const size_t above = std::min(below + 1, values.size() - 1);
     return std::lerp(values[below], values[above], place - static_cast<double>(below));
 }
-
-} // namespace
 
 std::string_view name_of(TimerClock clock) {
     switch (clock) {
@@ -61,17 +60,25 @@ PassTimer::Scope::Scope(PassTimer& timer, const std::string& pass, bool rasteris
 PassTimer::Scope::~Scope() {
     if (queries_) {
         glQueryCounter((*queries_)[1].id(), GL_TIMESTAMP);
-        timer_.pending_.push_back({pass_, std::move(*queries_)});
+        timer_.pending_.push_back({pass_, repeats_, std::move(*queries_)});
     } else if (timer_.clock_ == TimerClock::cpu_with_finish) {
         glFinish();
         const std::chrono::duration<double, std::milli> taken =
             std::chrono::steady_clock::now() - begin_;
-        timer_.record(pass_, taken.count());
+        timer_.record(pass_, taken.count() / repeats_);
     }
 }
 
 void PassTimer::clear() {
     finish();
+    timings_.clear();
+}
+
+void PassTimer::clear_and_batch(double milliseconds, int batch) {
+    finish();
+    for (const PassTiming& timing : timings_)
+        if (timing.median() < milliseconds)
+            batches_[timing.pass] = batch;
     timings_.clear();
 }
 
@@ -90,6 +97,13 @@ size_t PassTimer::index_of(const std::string& pass, bool rasterises) {
         return static_cast<size_t>(found - timings_.begin());
     timings_.push_back({pass, rasterises, {}});
     return timings_.size() - 1;
+}
+
+int PassTimer::begin_batch(size_t pass) {
+    const auto batch = batches_.find(timings_[pass].pass);
+    if (batch != batches_.end())
+        timings_[pass].batch = batch->second;
+    return timings_[pass].batch;
 }
 
 GlHandle<delete_query> PassTimer::take_query() {
@@ -113,7 +127,7 @@ void PassTimer::collect(bool wait) {
         GLuint64 begin = 0, end = 0;
         glGetQueryObjectui64v(front.queries[0].id(), GL_QUERY_RESULT, &begin);
         glGetQueryObjectui64v(front.queries[1].id(), GL_QUERY_RESULT, &end);
-        record(front.pass, static_cast<double>(end - begin) * 1e-6);
+        record(front.pass, static_cast<double>(end - begin) * 1e-6 / front.repeats);
         for (GlHandle<delete_query>& query : front.queries)
             free_queries_.push_back(std::move(query));
         pending_.pop_front();

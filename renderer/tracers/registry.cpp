@@ -7,6 +7,8 @@
 #include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
+#include <algorithm>
+
 namespace romascope {
 
 const std::vector<TracerEntry>& tracers() {
@@ -21,6 +23,19 @@ const std::vector<TracerEntry>& tracers() {
          make_samples_tracer, samples_knobs},
     };
     return entries;
+}
+
+bool is_of_other_tracer(const KnobBase& knob, std::string_view chosen) {
+    bool of_any = false;
+    for (const TracerEntry& tracer : tracers()) {
+        const std::vector<const KnobBase*> own = tracer.knobs();
+        if (std::ranges::find(own, &knob) == own.end())
+            continue;
+        if (tracer.name == chosen)
+            return false;
+        of_any = true;
+    }
+    return of_any;
 }
 
 std::vector<const KnobBase*> tracer_knobs() {

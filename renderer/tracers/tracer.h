@@ -65,6 +65,9 @@ struct TracerEntry {
 /// All tracers. A new one is a folder here, a GLSL file, and a line in registry.cpp.
 const std::vector<TracerEntry>& tracers();
 
+/// Whether the knob belongs to tracers alone, none of which is the one of this name.
+bool is_of_other_tracer(const KnobBase& knob, std::string_view tracer);
+
 /// The knobs of all tracers and of what they share.
 std::vector<const KnobBase*> tracer_knobs();
 

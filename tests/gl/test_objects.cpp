@@ -5,6 +5,8 @@
 #include "tests/gl/gl_test.h"
 
 #include <algorithm>
+#include <chrono>
+#include <thread>
 
 namespace romascope {
 namespace {
@@ -146,6 +148,59 @@ TEST_F(ObjectsTest, TimerCountsEveryPass) {
     EXPECT_EQ(timer_->timings()[0].milliseconds.size(), 5u);
     for (const double ms : timer_->timings()[0].milliseconds)
         EXPECT_GE(ms, 0.0);
+}
+
+TEST_F(ObjectsTest, ShortPassesAreTimedInBatches) {
+    if (timer_->clock() == TimerClock::none)
+        GTEST_SKIP() << "this driver has no timestamps";
+    int short_done = 0, long_done = 0;
+    const auto frame = [&] {
+        {
+            auto pass = timer_->compute("short");
+            pass.repeat([&] { ++short_done; });
+        }
+        {
+            auto pass = timer_->compute("long");
+            pass.repeat([&] { ++long_done; });
+        }
+        auto pass = timer_->compute("short, once");
+    };
+    frame();
+    EXPECT_EQ(short_done, 1); // nobody has asked yet
+    // An hour: all are short.
+    timer_->clear_and_batch(3.6e6, 10);
+    EXPECT_TRUE(timer_->timings().empty());
+    frame();
+    frame();
+    timer_->clear(); // batches outlive it
+    frame();
+    EXPECT_EQ(short_done, 31);
+    EXPECT_EQ(long_done, 31);
+    timer_->finish();
+    ASSERT_EQ(timer_->timings().size(), 3u);
+    EXPECT_EQ(timer_->timings()[0].batch, 10);
+    EXPECT_EQ(timer_->timings()[2].batch, 1); // it does not repeat
+    EXPECT_EQ(timer_->timings()[0].milliseconds.size(), 1u);
+    // No time is below none.
+    PassTimer other;
+    { auto pass = other.compute("short"); }
+    other.clear_and_batch(0.0, 10);
+    {
+        auto pass = other.compute("short");
+        pass.repeat([&] { ++long_done; });
+    }
+    EXPECT_EQ(long_done, 32);
+}
+
+TEST_F(ObjectsTest, ABatchIsDividedByItsSize) {
+    PassTimer timer(TimerClock::cpu_with_finish);
+    const auto wait = [] { std::this_thread::sleep_for(std::chrono::milliseconds(2)); };
+    timer.compute("wait").repeat(wait);
+    timer.clear_and_batch(3.6e6, 20);
+    timer.compute("wait").repeat(wait);
+    // 20 waits of 2 ms, not 40 ms; a machine that is busy may take longer, but not twenty times.
+    EXPECT_GE(timer.timings()[0].median(), 2.0);
+    EXPECT_LT(timer.timings()[0].median(), 30.0);
 }
 
 TEST_F(ObjectsTest, SoftwareRasterisersAreTimedByTheCpu) {

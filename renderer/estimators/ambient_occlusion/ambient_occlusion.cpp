@@ -43,8 +43,10 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
     program.set("radius", ambient_occlusion_radius(frame.settings));
     tracer.bind(program);
     visibility_.bind_image(0, GL_WRITE_ONLY);
-    program.dispatch_covering(extent);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    pass.repeat([&] {
+        program.dispatch_covering(extent);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    });
 }
 
 } // namespace romascope

@@ -30,8 +30,11 @@ void Hierarchy::build(const FrameContext& frame, const Texture& base) {
     base.bind(0);
     texture_.bind_image(0, GL_WRITE_ONLY);
     // An invocation begins with 2 x 2 columns.
-    program.dispatch_covering({(base.size().x + 1) / 2, (base.size().y + 1) / 2, base.size().z});
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    pass.repeat([&] {
+        program.dispatch_covering(
+            {(base.size().x + 1) / 2, (base.size().y + 1) / 2, base.size().z});
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    });
 }
 
 size_t Hierarchy::bytes_for(glm::ivec3 base) {

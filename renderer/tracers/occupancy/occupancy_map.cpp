@@ -40,13 +40,15 @@ void OccupancyMap::build(const FrameContext& frame) {
 
     auto pass =
         in_compute ? frame.timer.compute("occupancy map") : frame.timer.raster("occupancy map");
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT); // the last frame's atomics come before
-    texture_.clear_uint(0);
-    if (in_compute)
-        compute_.build(frame, grid_, texture_);
-    else
-        raster_.build(frame, grid_, texture_);
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    pass.repeat([&] {
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT); // the last frame's atomics come before
+        texture_.clear_uint(0);
+        if (in_compute)
+            compute_.build(frame, grid_, texture_);
+        else
+            raster_.build(frame, grid_, texture_);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    });
 }
 
 size_t OccupancyMap::bytes_needed(const Settings& settings) {

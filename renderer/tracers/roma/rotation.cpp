@@ -47,8 +47,10 @@ void Rotation::build(const FrameContext& frame, const Texture& base, const Occup
     base.bind(0);
     direction_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     maps_.bind_image(0, GL_WRITE_ONLY);
-    program.dispatch_covering(size * glm::ivec3(1, 1, many ? layout.words_per_texel : 1));
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    pass.repeat([&] {
+        program.dispatch_covering(size * glm::ivec3(1, 1, many ? layout.words_per_texel : 1));
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    });
 }
 
 void Rotation::bind() const {

@@ -65,8 +65,10 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
         columns = glm::max(columns, glm::ivec2(frame_.size(map)));
     const int row = (columns.x + 31) / 32 * (many ? 32 : 1);
     const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels;
-    program.dispatch_covering({row, columns.y * (many ? layout_.words_per_texel : 1), layers});
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    pass.repeat([&] {
+        program.dispatch_covering({row, columns.y * (many ? layout_.words_per_texel : 1), layers});
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    });
 }
 
 void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many) {
@@ -84,8 +86,10 @@ void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 s
     const int words = std::max(row_words.x, row_words.y) * (many ? 32 : 1);
     const int others = std::max(size.x, size.y) + 2 * guard;
     const int layers = (size.z + 2 * guard + 31) / 32;
-    program.dispatch_covering({words, others, 2 * layers});
-    glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    pass.repeat([&] {
+        program.dispatch_covering({words, others, 2 * layers});
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+    });
 }
 
 void Shearing::bind() const {

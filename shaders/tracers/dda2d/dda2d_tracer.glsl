@@ -44,9 +44,10 @@ float dda2d_walk(GridRay ray) {
         ivec3 plane = (block + ray.ahead) << shift;
         vec3 next = vec3(grid_crossing(ray, 0, plane.x), grid_crossing(ray, 1, plane.y), grid_crossing(ray, 2, plane.z));
         int axis = grid_first(next);
-        bool ends = !(next[axis] < ray.end);
+        float t = min(next.x, min(next.y, next.z));
+        bool ends = !(t < ray.end);
         // Cells that are entered before the end count, so what is crossed at it comes after.
-        float t = ends ? ray.end : next[axis];
+        t = ends ? ray.end : t;
         int crossed = ends ? -1 : axis;
         int last = crossed == 2 ? plane.z - ray.ahead.z : grid_cell_at(ray, 2, t, crossed);
         uint occupied = dda2d_occupied(dda2d_word(ray.cell, level), ray.cell.z, last);
@@ -62,17 +63,17 @@ float dda2d_walk(GridRay ray) {
         if (ends)
             return -1.0;
         ray.t = t;
-        ivec3 before = block;
+        ivec3 entered = plane - 1 + ray.ahead;
 #if DDA2D_HIERARCHY
-        for (int other = 0; other < 2; ++other)
-            ray.cell[other] = grid_cell_at(ray, other, t, axis);
-#endif
-        ray.cell.z = last;
-        ray.cell[axis] = ray.ahead[axis] == 1 ? plane[axis] : plane[axis] - 1;
-#if DDA2D_HIERARCHY
+        ray.cell.x = axis == 0 ? entered.x : grid_cell_at(ray, 0, t, axis);
+        ray.cell.y = axis == 1 ? entered.y : grid_cell_at(ray, 1, t, axis);
+        ray.cell.z = axis == 2 ? entered.z : last;
         // A wider column where a new one begins.
-        if (level < kHierarchyLevels && (before.xy >> 1) != (ray.cell.xy >> (level + 1)))
+        if (level < kHierarchyLevels && (block.xy >> 1) != (ray.cell.xy >> (level + 1)))
             ++level;
+#else
+        ray.cell = ivec3(axis == 0 ? entered.x : ray.cell.x, axis == 1 ? entered.y : ray.cell.y,
+                         axis == 2 ? entered.z : last);
 #endif
     }
     return -1.0;

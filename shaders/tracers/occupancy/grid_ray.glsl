@@ -5,6 +5,8 @@
 //
 // Lengths and t are in cells. t is 0 at the start, which has been moved off the surface.
 //
+// Vectors are taken apart by constant places only: others cost NVIDIA's GPUs a way through memory.
+//
 // In: base_map, R32UI: bit b of texel z is cell 32 z + b along z; uniforms grid_origin: lower corner,
 //     metres; metres_per_cell; grid_size, cells
 
@@ -77,9 +79,10 @@ GridRay grid_ray(vec3 point, vec3 normal, vec3 direction, float t_max, float off
         ray.t = max(max(entries.x, entries.y), max(entries.z, 0.0));
         int axis = entries.z == ray.t ? 2 : entries.y == ray.t ? 1 : 0;
         if (ray.t < ray.end) {
-            for (int other = 0; other < 3; ++other)
-                ray.cell[other] = grid_cell_at(ray, other, ray.t, axis);
-            ray.cell[axis] = ray.ahead[axis] == 1 ? 0 : grid_size[axis] - 1;
+            ivec3 inner = first - 1 + ray.ahead;
+            ray.cell.x = axis == 0 ? inner.x : grid_cell_at(ray, 0, ray.t, axis);
+            ray.cell.y = axis == 1 ? inner.y : grid_cell_at(ray, 1, ray.t, axis);
+            ray.cell.z = axis == 2 ? inner.z : grid_cell_at(ray, 2, ray.t, axis);
             ray.cell = clamp(ray.cell, ivec3(0), grid_size - 1);
         }
     }
@@ -105,8 +108,8 @@ void grid_escape(inout GridRay ray, int limit) {
             return;
         vec3 next = grid_next(ray);
         int axis = grid_first(next);
-        ray.t = next[axis];
-        ray.cell[axis] += ray.turn[axis];
+        ray.t = min(next.x, min(next.y, next.z));
+        ray.cell += ray.turn * ivec3(axis == 0, axis == 1, axis == 2);
     }
 }
 

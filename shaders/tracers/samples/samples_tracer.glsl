@@ -16,8 +16,10 @@ GridRay samples_ray(vec3 point, vec3 normal, vec3 direction, float t_max) {
 
 /// The cell in the middle of part `i` of the segment.
 ivec3 samples_cell(GridRay ray, int i) {
-    float t = ray.t + (float(i) + 0.5) / float(SAMPLES_COUNT) * (ray.end - ray.t);
-    return clamp(ivec3(floor(ray.start + t * ray.direction)), ivec3(0), grid_size - 1);
+    // Any-hit and closest-hit are to look at the same cells.
+    precise float t = ray.t + (float(i) + 0.5) / float(SAMPLES_COUNT) * (ray.end - ray.t);
+    precise vec3 place = ray.start + t * ray.direction;
+    return clamp(ivec3(floor(place)), ivec3(0), grid_size - 1);
 }
 
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {

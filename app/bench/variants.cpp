@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: MIT
+#include "app/bench/variants.h"
+
+#include "renderer/base/error.h"
+#include "renderer/base/nearest_name.h"
+#include "renderer/frame/pipeline.h"
+#include "renderer/settings/quote.h"
+#include "renderer/tracers/dda2d/dda2d_tracer.h"
+#include "renderer/tracers/roma/roma_knobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace romascope {
+namespace {
+
+constexpr size_t kMostVariants = 64;
+
+/// Groups of settings that make the picture which all variants share.
+constexpr std::string_view kShared[] = {"render.", "frame.", "view.", "lit."};
+
+std::vector<std::string> split(const std::string& text, char at) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, at);)
+        parts.push_back(part);
+    return parts;
+}
+
+std::vector<std::string> tracer_names(const Settings& base,
+                                      const std::vector<Variation>& variations) {
+    for (const Variation& variation : variations)
+        if (variation.knob == &kTracer)
+            return variation.values;
+    if (!base.get(kTracer).empty())
+        return {base.get(kTracer)};
+    std::vector<std::string> names;
+    for (const TracerEntry& entry : tracers())
+        names.emplace_back(entry.name);
+    return names;
+}
+
+bool concerns(const Variation& variation, const std::string& tracer) {
+    return variation.knob != &kTracer && !is_of_other_tracer(*variation.knob, tracer);
+}
+
+} // namespace
+
+Variation parse_variation(const Settings& base, const std::string& text) {
+    const size_t equals = text.find('=');
+    if (equals == std::string::npos)
+        throw Error(fmt::format("--vary {} is not of the form KEY=VALUE,VALUE", quote(text)),
+                    kBadInput);
+    const std::string key = text.substr(0, equals);
+    Variation variation{&base.table().at(key), split(text.substr(equals + 1), ',')};
+    if (std::ranges::any_of(kShared,
+                            [&](std::string_view group) { return key.starts_with(group); }))
+        throw Error(fmt::format("--vary {}: all variants share one picture; give one value with "
+                                "--set",
+                                key),
+                    kBadInput);
+    if (variation.values.empty())
+        throw Error(fmt::format("--vary {}: no value is given", key), kBadInput);
+    std::set<std::string> seen;
+    for (std::string& value : variation.values) {
+        Settings settings = base;
+        settings.set_text(key, value);
+        value = to_text(settings.value(*variation.knob)); // on and 1 are true
+        if (variation.knob == &kTracer)
+            make_tracer(value);
+        if (!seen.insert(value).second)
+            throw Error(fmt::format("--vary {}: {} is given twice", key, quote(value)), kBadInput);
+    }
+    return variation;
+}
+
+std::vector<Variation> default_variations(const Settings& base) {
+    std::vector<Variation> variations;
+    const std::string only = base.get(kTracer);
+    for (const Variation& variation : {Variation{&kRomaAlignment, {"rotate", "shear"}},
+                                       Variation{&kDda2dHierarchy, {"true", "false"}}})
+        if (base.is_default(*variation.knob) && (only.empty() || concerns(variation, only)))
+            variations.push_back(variation);
+    return variations;
+}
+
+std::vector<BenchVariant> expand_variants(const Settings& base,
+                                          const std::vector<Variation>& variations) {
+    std::vector<BenchVariant> all;
+    std::set<const KnobBase*> used = {&kTracer};
+    for (const std::string& tracer : tracer_names(base, variations)) {
+        make_tracer(tracer); // or there is none of this name
+        std::vector<BenchVariant> of_tracer = {{tracer, base}};
+        of_tracer.front().settings.set(kTracer, tracer);
+        for (const Variation& variation : variations) {
+            if (!concerns(variation, tracer))
+                continue;
+            used.insert(variation.knob);
+            std::vector<BenchVariant> more;
+            for (const BenchVariant& variant : of_tracer) {
+                for (const std::string& value : variation.values) {
+                    more.push_back(variant);
+                    more.back().name += fmt::format(" {}={}", variation.knob->key(), value);
+                    more.back().settings.set_text(variation.knob->key(), value);
+                }
+            }
+            of_tracer = std::move(more);
+            if (all.size() + of_tracer.size() > kMostVariants)
+                throw Error(fmt::format("--vary: these are more than {} variants", kMostVariants),
+                            kBadInput);
+        }
+        all.insert(all.end(), of_tracer.begin(), of_tracer.end());
+    }
+    for (const Variation& variation : variations)
+        if (!used.contains(variation.knob))
+            throw Error(
+                fmt::format("--vary {}: it concerns none of these tracers", variation.knob->key()),
+                kBadInput);
+    return all;
+}
+
+size_t find_variant(const std::vector<BenchVariant>& variants, const std::string& name) {
+    const std::vector<std::string> wanted = split(name, ' ');
+    std::vector<std::string> names;
+    std::vector<size_t> found;
+    for (size_t i = 0; i < variants.size(); ++i) {
+        names.push_back(variants[i].name);
+        if (names.back() == name)
+            return i;
+        const std::vector<std::string> words = split(names.back(), ' ');
+        if (std::ranges::all_of(wanted, [&](const std::string& word) {
+                return std::ranges::find(words, word) != words.end();
+            }))
+            found.push_back(i);
+    }
+    if (found.size() == 1)
+        return found.front();
+    if (found.empty())
+        throw Error(fmt::format("--baseline {}: no variant is that: did you mean '{}'?",
+                                quote(name), nearest_name(name, names)),
+                    kBadInput);
+    throw Error(fmt::format("--baseline {}: it could be '{}' or '{}'", quote(name), names[found[0]],
+                            names[found[1]]),
+                kBadInput);
+}
+
+} // namespace romascope

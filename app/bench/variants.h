@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// What a benchmark compares: tracers, and choices of their settings.
+#pragma once
+
+#include "renderer/settings/settings.h"
+
+#include <string>
+#include <vector>
+
+namespace romascope {
+
+/// Several values of one setting, as people write them.
+struct Variation {
+    const KnobBase* knob;
+    std::vector<std::string> values;
+};
+
+/// One thing to measure.
+struct BenchVariant {
+    std::string name; ///< the tracer and its own choices, like "roma roma.alignment=shear"
+    Settings settings;
+};
+
+/// "key=a,b,c". Throws Error (kBadInput) for what is no setting, no value of it, given twice, or a
+/// setting that all variants share (picture, camera, time, view).
+Variation parse_variation(const Settings& base, const std::string& text);
+
+/// What is compared where nothing else was asked for: the alignments of ROMA, the hierarchy on and
+/// off; but for settings that `base` has changed or whose tracer it does not name.
+std::vector<Variation> default_variations(const Settings& base);
+
+/// Every tracer (the one in `base`, if it names one, or those of a variation), with every
+/// combination of the values of those variations that concern it.
+/// Throws Error (kBadInput) for an unknown tracer, a variation that concerns none, or more
+/// variants than are any use.
+std::vector<BenchVariant> expand_variants(const Settings& base,
+                                          const std::vector<Variation>& variations);
+
+/// The place of the variant with that name, or of the only one that has all its words.
+/// Throws Error (kBadInput) if there is none or more than one.
+size_t find_variant(const std::vector<BenchVariant>& variants, const std::string& name);
+
+} // namespace romascope
