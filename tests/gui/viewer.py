@@ -48,8 +48,7 @@ class Viewer:
         self.errors = open(self.folder / "stderr.txt", "w+", encoding="utf-8")
         test.addCleanup(self.errors.close)
         self.process = subprocess.Popen(
-            [PROGRAM, *(words[:1] if words and words[0] is None else ["view"]),
-             *map(str, (word for word in words if word is not None)), "--ui-map", self.map_file],
+            [PROGRAM, "view", *map(str, words), "--ui-map", self.map_file],
             cwd=self.work, env=self.environment(), stdin=subprocess.DEVNULL,
             stdout=subprocess.DEVNULL, stderr=self.errors)
         test.addCleanup(self.kill)
@@ -100,6 +99,13 @@ class Viewer:
 
     def wait_rest(self):
         return self.wait_map(lambda now: now["at_rest"], "the picture does not come to rest")
+
+    def wait_rest_after_moving(self):
+        """At rest, and told so twice: what was done last has been seen."""
+        time.sleep(0.3)
+        self.wait_rest()
+        time.sleep(0.2)
+        return self.wait_rest()
 
     def wait_message(self, pattern, severity=None):
         def found(now):
