@@ -27,4 +27,8 @@ void Messages::tell(Severity severity, const std::string& text) {
     std::fflush(stderr);
 }
 
+void Messages::withdraw(const std::string& text) {
+    std::erase_if(all_, [&](const Message& message) { return message.text == text; });
+}
+
 } // namespace romascope

@@ -21,8 +21,9 @@ struct Message {
 class Messages {
 public:
     void tell(Severity severity, const std::string& text);
+    /// It no longer holds: forgotten, if it is there.
+    void withdraw(const std::string& text);
     const std::deque<Message>& all() const { return all_; }
-    void clear() { all_.clear(); }
 
 private:
     std::deque<Message> all_;

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <new>
+#include <utility>
 
 namespace romascope {
 namespace {
@@ -237,14 +238,19 @@ bool Session::try_draw(const Settings& wanted, bool structures_changed) {
         tell_error("out of memory: choose smaller structures or a smaller picture");
         return false;
     }
-    for (const std::string& fault : pipeline.take_shader_faults())
+    for (const std::string& fault : pipeline.take_shader_faults()) {
         tell_error(fault);
+        shader_faults_.push_back(fault);
+    }
     return true;
 }
 
 bool Session::reload_shaders() {
     if (!loaded_ || !loaded_->pipeline.reload_shaders())
         return false;
+    // What is still at fault comes up again with the next frame.
+    for (const std::string& fault : std::exchange(shader_faults_, {}))
+        messages_.withdraw(fault);
     messages_.tell(Severity::info, "shaders read again");
     drawn_.reset();
     return true;

@@ -11,6 +11,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace romascope {
 
@@ -139,8 +140,9 @@ private:
     uint32_t frames_ = 0;           ///< in the picture
     int changes_in_a_row_ = 0;
     bool failed_ = false;
-    Viewpoint viewpoint_;        ///< what viewpoint_text_ was made of
-    std::string viewpoint_text_; ///< what render.camera was set to; empty: nothing yet
+    std::vector<std::string> shader_faults_; ///< that were told and hold
+    Viewpoint viewpoint_;                    ///< what viewpoint_text_ was made of
+    std::string viewpoint_text_;             ///< what render.camera was set to; empty: nothing yet
 };
 
 /// Frames after which the picture rests, unless told otherwise.

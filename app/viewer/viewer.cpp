@@ -26,6 +26,8 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kShaderWatch{250};
+/// After a key in a text field, frames wait so long for the next one.
+constexpr std::chrono::milliseconds kTypingPause{300};
 /// How long a picture at rest waits for something to happen before it looks around by itself.
 constexpr double kIdleSeconds = 0.25;
 constexpr double kAnimationStep = 1.0 / 30.0; ///< seconds
@@ -74,7 +76,11 @@ bool Viewer::step() {
     navigate(input);
     session_.advance(elapsed);
     watch_shaders();
-    session_.draw();
+    // Dear ImGui sees keys once a frame: a slow one would swallow what is typed meanwhile.
+    if (interface_.wants_keyboard() && !input.keys.empty())
+        typed_ = now;
+    if (now - typed_ > kTypingPause)
+        session_.draw();
     step_capture();
     present();
     tell_gl_messages();
@@ -222,10 +228,10 @@ void Viewer::present() {
         activity.screenshot = capture_->progress();
     const Requests requests = interface_.draw(session_, state_, activity);
     interface_.end_frame();
-    window_.swap();
     if (!shown_)
-        window_.show(); // with a picture in it from the first moment
+        window_.show(); // not before there is a picture for it
     shown_ = true;
+    window_.swap();
     do_requests(requests);
 }
 

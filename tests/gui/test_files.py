@@ -38,13 +38,10 @@ class Files(GuiTest):
     def test_open_by_typing(self):
         viewer = Viewer(self, self.screen, "cornell", *FAST)
         viewer.click("open")
-        self.screen.do("type", "--delay", "60", "thin")
-        viewer.key("Return")
+        viewer.type("thin")
         viewer.wait_map(lambda now: now["scene"].endswith("thin.glb"), "the scene is not opened")
         viewer.click("open")
-        viewer.key("ctrl+a")
-        self.screen.do("type", "--delay", "60", "nowhere.glb")
-        viewer.key("Return")
+        viewer.type("nowhere.glb")
         viewer.wait_message("nowhere.glb", "error")
         viewer.close()
 

@@ -16,7 +16,7 @@ class Keys(GuiTest):
 
     def open(self, *words):
         return Viewer(self, self.screen, *words, "--size", "300x200", "--set", "ao.rays=1",
-                      "--set", "occupancy.resolution=48", "--no-panel")
+                      "--set", "occupancy.resolution=48", "--frames", 2, "--no-panel")
 
     def camera(self, viewer, other_than=None):
         return viewer.wait(lambda: (viewer.setting("render.camera") or "") != (other_than or "")

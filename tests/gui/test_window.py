@@ -31,7 +31,7 @@ class Window(GuiTest):
             with self.subTest(size=size):
                 self.resize(viewer, *size)
                 self.assertEqual(viewer.setting("render.width"), size[0])
-        self.assertEqual(viewer.picture(), before)
+        viewer.wait(lambda: viewer.picture() == before, "another picture at the same size")
         viewer.key("Tab")
         viewer.wait_map(lambda now: now["panel"], "no panel")
         for size in ((1, 1), (20, 900), (1500, 12), (300, 200)):
@@ -73,7 +73,8 @@ class Window(GuiTest):
             gui.time.sleep(0.1)
         window, = self.screen.windows()
         self.assertIn("hall", self.screen.title(window))
-        # With a picture in it from the first moment.
+        # With a picture in it from the first moment on, but for what the display needs to show it.
+        gui.time.sleep(0.2)
         width, height, rgb = self.screen.picture(window)
         self.assertGreater(len(set(rgb[3 * width * height // 2:])), 50)
         self.screen.close(window)

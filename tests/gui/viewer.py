@@ -127,6 +127,21 @@ class Viewer:
         for name in names:
             self.screen.do("key", "--delay", "50", name)
 
+    def hold_key(self, *names):
+        """Long enough for a widget, which looks once a frame."""
+        for name in names:
+            self.screen.do("keydown", name)
+        time.sleep(0.5)
+        for name in reversed(names):
+            self.screen.do("keyup", name)
+
+    def type(self, text):
+        """In place of what stands in the text field that has the focus; with Return."""
+        self.hold_key("ctrl", "a")
+        self.screen.do("type", "--delay", "60", text)
+        time.sleep(0.3)
+        self.hold_key("Return")
+
     def point(self, x, y):
         self.screen.do("mousemove", round(x), round(y))
         time.sleep(0.1)
@@ -153,10 +168,9 @@ class Viewer:
                              f"no widget {name}")["widgets"][name]
 
     def scroll_to(self, name):
-        left, top, right, bottom = next(
-            box for key, box in self.map()["widgets"].items() if key == "panel")
-        self.point((left + right) / 2, (top + bottom) / 2)
-        for direction in (4, 5):
+        left = min(box[0] for box in self.map()["widgets"].values())
+        self.point(left + 2, self.map()["size"][1] / 2)
+        for direction in (4, 5):  # the wheel, up and down
             for _ in range(60):
                 if name in self.map()["widgets"]:
                     return

@@ -6,7 +6,7 @@ import os
 import subprocess
 import time
 
-from Xlib import X, display
+from Xlib import X, Xatom, display
 from Xlib.error import XError
 from Xlib.protocol import event
 
@@ -18,7 +18,7 @@ class XDisplay:
         reading, writing = os.pipe()
         self.server = subprocess.Popen(
             ["Xvfb", "-displayfd", str(writing), "-screen", "0", f"{width}x{height}x24",
-             "-dpi", str(dpi), "-nolisten", "tcp"],
+             "-nolisten", "tcp"],
             pass_fds=[writing], stdin=subprocess.DEVNULL, stdout=subprocess.DEVNULL,
             stderr=subprocess.DEVNULL)
         os.close(writing)
@@ -28,6 +28,10 @@ class XDisplay:
         self.name = f":{number}"
         self.connection = display.Display(self.name)
         self.root = self.connection.screen().root
+        # Where desktops tell programs how large to draw.
+        self.root.change_property(Xatom.RESOURCE_MANAGER, Xatom.STRING, 8,
+                                  f"Xft.dpi:\t{dpi}\n".encode())
+        self.connection.flush()
 
     def __enter__(self):
         return self
