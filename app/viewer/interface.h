@@ -36,6 +36,8 @@ public:
     void begin_frame();
     /// Keys of this frame that no widget takes.
     const std::vector<KeyPress>& keys() const { return keys_; }
+    /// Whether more was done than fits in this frame.
+    bool input_waits() const { return input_ && !input_->empty(); }
     /// Does what the user asks of the session; the rest is returned.
     Requests draw(Session& session, InterfaceState& state, const Activity& activity);
     /// Draws into framebuffer 0, in pixels as the widgets have them (sRGB is not encoded again).

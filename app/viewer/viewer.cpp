@@ -26,8 +26,6 @@ namespace {
 using Clock = std::chrono::steady_clock;
 
 constexpr std::chrono::milliseconds kShaderWatch{250};
-/// After a key in a text field, frames wait so long for the next one.
-constexpr std::chrono::milliseconds kTypingPause{300};
 /// How long a picture at rest waits for something to happen before it looks around by itself.
 constexpr double kIdleSeconds = 0.25;
 constexpr double kAnimationStep = 1.0 / 30.0; ///< seconds
@@ -76,10 +74,7 @@ bool Viewer::step() {
     navigate(input);
     session_.advance(elapsed);
     watch_shaders();
-    // Dear ImGui sees keys once a frame: a slow one would swallow what is typed meanwhile.
-    if (interface_.wants_keyboard() && !input.keys.empty())
-        typed_ = now;
-    if (now - typed_ > kTypingPause)
+    if (!interface_.input_waits()) // which a slow frame would hold up
         session_.draw();
     step_capture();
     present();

@@ -66,7 +66,7 @@ private:
     InterfaceState state_;
     std::optional<Capture> capture_;
     bool shown_ = false;
-    std::chrono::steady_clock::time_point last_step_, shaders_watched_, typed_;
+    std::chrono::steady_clock::time_point last_step_, shaders_watched_;
 };
 
 } // namespace romascope
