@@ -2,8 +2,8 @@
 #pragma once
 
 #include "app/viewer/capture.h"
-#include "app/viewer/interface.h"
-#include "app/viewer/interface_state.h"
+#include "app/viewer/interface/interface.h"
+#include "app/viewer/interface/interface_state.h"
 #include "app/viewer/keys.h"
 #include "app/viewer/session.h"
 #include "app/viewer/window.h"

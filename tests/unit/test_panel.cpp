@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // The panel that is made from the knobs: what can be tested of it without a window. Widgets are
 // real ones of ImGui, moved by a hand that is not there.
-#include "app/viewer/input_queue.h"
-#include "app/viewer/knob_editor.h"
-#include "app/viewer/knob_groups.h"
-#include "app/viewer/knob_widget.h"
-#include "app/viewer/overlay.h"
+#include "app/viewer/interface/input_queue.h"
+#include "app/viewer/interface/knob_editor.h"
+#include "app/viewer/interface/knob_groups.h"
+#include "app/viewer/interface/knob_widget.h"
+#include "app/viewer/interface/overlay.h"
 #include "renderer/frame/technique.h"
 #include "renderer/passes/compose.h"
 #include "renderer/tracers/tracer.h"

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/knob_list.h"
+#include "app/viewer/interface/knob_list.h"
 
-#include "app/viewer/knob_widget.h"
-#include "app/viewer/known_names.h"
-#include "app/viewer/rows.h"
+#include "app/viewer/interface/knob_widget.h"
+#include "app/viewer/interface/known_names.h"
+#include "app/viewer/interface/rows.h"
+#include "app/viewer/interface/ui_map.h"
 #include "app/viewer/session.h"
-#include "app/viewer/ui_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

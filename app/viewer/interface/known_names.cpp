@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/known_names.h"
+#include "app/viewer/interface/known_names.h"
 
 #include "app/viewer/session.h"
 #include "renderer/frame/technique.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/viewer/knob_editor.h"
+#include "app/viewer/interface/knob_editor.h"
 
 namespace romascope {
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "app/scene_files.h"
-#include "app/viewer/costs.h"
-#include "app/viewer/interface_state.h"
-#include "app/viewer/knob_list.h"
+#include "app/viewer/interface/costs.h"
+#include "app/viewer/interface/interface_state.h"
+#include "app/viewer/interface/knob_list.h"
 
 #include <optional>
 #include <string>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/viewer/interface_state.h"
+#include "app/viewer/interface/interface_state.h"
 #include "app/viewer/messages.h"
 
 #include <chrono>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/knob_widget.h"
+#include "app/viewer/interface/knob_widget.h"
 
 #include <algorithm>
 #include <cmath>

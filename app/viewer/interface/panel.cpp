@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/panel.h"
+#include "app/viewer/interface/panel.h"
 
-#include "app/viewer/rows.h"
+#include "app/viewer/interface/rows.h"
+#include "app/viewer/interface/ui_map.h"
 #include "app/viewer/session.h"
-#include "app/viewer/ui_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/costs.h"
+#include "app/viewer/interface/costs.h"
 
+#include "app/viewer/interface/ui_map.h"
 #include "app/viewer/session.h"
-#include "app/viewer/ui_map.h"
 #include "renderer/base/memory.h"
 
 #include <fmt/format.h>

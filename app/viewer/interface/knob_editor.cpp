@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/knob_editor.h"
+#include "app/viewer/interface/knob_editor.h"
 
-#include "app/viewer/knob_widget.h"
+#include "app/viewer/interface/knob_widget.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/interface.h"
+#include "app/viewer/interface/interface.h"
 
 #include "app/viewer/session.h"
 #include "renderer/base/error.h"

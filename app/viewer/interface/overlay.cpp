@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/overlay.h"
+#include "app/viewer/interface/overlay.h"
 
+#include "app/viewer/interface/rows.h"
+#include "app/viewer/interface/ui_map.h"
 #include "app/viewer/keys.h"
-#include "app/viewer/rows.h"
-#include "app/viewer/ui_map.h"
 
 #include <fmt/format.h>
 #include <imgui.h>

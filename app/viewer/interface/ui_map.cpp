@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/ui_map.h"
+#include "app/viewer/interface/ui_map.h"
 
 #include "app/json.h"
-#include "app/viewer/interface_state.h"
+#include "app/viewer/interface/interface_state.h"
 #include "app/viewer/session.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"

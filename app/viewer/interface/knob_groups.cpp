@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/knob_groups.h"
+#include "app/viewer/interface/knob_groups.h"
 
 #include "renderer/frame/technique.h"
 #include "renderer/passes/compose.h"

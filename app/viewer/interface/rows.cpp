@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/viewer/rows.h"
+#include "app/viewer/interface/rows.h"
 
 #include <imgui.h>
 #include <imgui_internal.h>

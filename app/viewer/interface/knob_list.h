@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/viewer/knob_editor.h"
-#include "app/viewer/knob_groups.h"
+#include "app/viewer/interface/knob_editor.h"
+#include "app/viewer/interface/knob_groups.h"
 
 #include <map>
 #include <string>

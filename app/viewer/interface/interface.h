@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/viewer/input_queue.h"
-#include "app/viewer/interface_state.h"
-#include "app/viewer/overlay.h"
-#include "app/viewer/panel.h"
-#include "app/viewer/ui_map.h"
+#include "app/viewer/interface/input_queue.h"
+#include "app/viewer/interface/interface_state.h"
+#include "app/viewer/interface/overlay.h"
+#include "app/viewer/interface/panel.h"
+#include "app/viewer/interface/ui_map.h"
 
 #include <filesystem>
 #include <optional>

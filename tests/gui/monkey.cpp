@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+// A monkey at the window: it turns knobs at random through their whole range, changes cameras and
+// scenes, resizes, and looks whether all of it stays whole.
+//
+//     monkey SECONDS [SEED]
+//
+// Fails for a GL error or any other error that is told, a picture with NaN, a picture that is not
+// drawn, or memory that grows by more than 1 % once all has been used. Left out, as nothing could
+// be learnt from how long they take here: pictures above 640 pixels, maps of a resolution and of
+// directions that would each take a software renderer minutes together.
+#include "app/scene_files.h"
+#include "app/viewer/viewer.h"
+#include "renderer/base/error.h"
+#include "renderer/base/memory.h"
+#include "renderer/scene/gltf/import.h"
+#include "renderer/tracers/tracer.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <malloc.h>
+#include <random>
+#include <unistd.h>
+
+namespace romascope {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr double kMostGrowth = 0.01;
+constexpr int kLargestPicture = 640;
+/// What real knobs without an end are turned up to.
+constexpr double kFar = 1e6;
+
+size_t resident_bytes() {
+    malloc_trim(0);
+    std::ifstream file("/proc/self/statm");
+    size_t all = 0, resident = 0;
+    file >> all >> resident;
+    return resident * static_cast<size_t>(sysconf(_SC_PAGESIZE));
+}
+
+class Monkey {
+public:
+    Monkey(Viewer& viewer, uint32_t seed) : viewer_(viewer), random_(seed) {}
+
+    void turn_something() {
+        const auto& knobs = session().settings().table().all();
+        const int kind = whole(0, 19);
+        if (kind == 0)
+            session().reset_all();
+        else if (kind == 1)
+            session().choose_camera(static_cast<size_t>(whole(0, 3)));
+        else if (kind == 2)
+            session().fit_view();
+        else if (kind == 3)
+            fly();
+        else
+            turn(*knobs[static_cast<size_t>(whole(0, static_cast<int>(knobs.size()) - 1))]);
+        ++turns_;
+    }
+
+    void open_some_scene() {
+        const auto scenes = built_in_scenes();
+        open(scenes[static_cast<size_t>(whole(0, static_cast<int>(scenes.size()) - 1))].name);
+    }
+    void open(const std::string& name) {
+        session().open(name);
+        check("opened " + name);
+    }
+
+    /// A few frames; throws Error for whatever is not as it should be.
+    void look() {
+        for (int i = whole(1, 2); i > 0; --i)
+            viewer_.step();
+        check(fmt::format("turn {}", turns_));
+    }
+
+    void check(const std::string& when) {
+        for (const Message& message : viewer_.messages().all())
+            if (message.severity == Severity::error)
+                throw Error(
+                    fmt::format("{}: {}\n{}", when, message.text, session().settings().to_toml()));
+        if (session().failed())
+            throw Error(fmt::format("{}: nothing is drawn", when));
+        for (const float value : session().pipeline()->picture().data)
+            if (!std::isfinite(value))
+                throw Error(fmt::format("{}: {} in the picture\n{}", when, value,
+                                        session().settings().to_toml()));
+        ++looks_;
+    }
+
+    int turns() const { return turns_; }
+    int looks() const { return looks_; }
+
+private:
+    Session& session() { return viewer_.session(); }
+    int whole(int low, int high) { return std::uniform_int_distribution(low, high)(random_); }
+    double real(double low, double high) {
+        return std::uniform_real_distribution(low, high)(random_);
+    }
+
+    void fly() {
+        Viewpoint viewpoint = session().viewpoint();
+        viewpoint.orbit(real(-1.0, 1.0), real(-1.0, 1.0));
+        viewpoint.approach(real(0.7, 1.5));
+        session().set_viewpoint(viewpoint);
+    }
+
+    double number(const KnobBase& knob) {
+        const double low = std::isfinite(knob.minimum()) ? knob.minimum() : -kFar;
+        double high = std::isfinite(knob.maximum()) ? knob.maximum() : kFar;
+        if (&knob == &kWidth || &knob == &kHeight)
+            high = kLargestPicture;
+        switch (whole(0, 5)) {
+        case 0:
+            return low;
+        case 1:
+            return std::isfinite(knob.maximum()) ? high : knob.maximum();
+        case 2: // many small ones
+            return low + (high - low) * std::pow(10.0, real(-6.0, 0.0));
+        default:
+            return real(low, high);
+        }
+    }
+
+    template <class T>
+    std::string one_of(const std::vector<T>& names) {
+        return names.empty()
+                   ? std::string()
+                   : std::string(
+                         names[static_cast<size_t>(whole(0, static_cast<int>(names.size()) - 1))]);
+    }
+
+    std::string text(const KnobBase& knob) {
+        std::vector<std::string> names = {""};
+        if (&knob == &kTracer) {
+            names.clear();
+            for (const TracerEntry& tracer : tracers())
+                names.emplace_back(tracer.name);
+        } else if (&knob == &kCamera) {
+            for (const Camera& camera : session().scene().cameras)
+                names.push_back(camera.name);
+        }
+        return one_of(names);
+    }
+
+    void turn(const KnobBase& knob) {
+        switch (knob.kind()) {
+        case KnobKind::boolean:
+            session().set(knob, whole(0, 1) == 1);
+            break;
+        case KnobKind::integer:
+            session().set(knob, static_cast<int64_t>(number(knob)));
+            break;
+        case KnobKind::real:
+            session().set(knob, number(knob));
+            break;
+        case KnobKind::choice:
+            session().set(knob, one_of(knob.choices()));
+            break;
+        case KnobKind::text:
+            session().set(knob, text(knob));
+            break;
+        }
+        // Either can be as large as it likes, but not both.
+        Settings settings = session().settings();
+        const KnobBase& resolution = settings.table().at("occupancy.resolution");
+        const KnobBase& directions = settings.table().at("roma.angular_resolution");
+        const auto value = [&](const KnobBase& of) {
+            return std::get<int64_t>(settings.value(of));
+        };
+        if (value(resolution) > 128 && value(directions) > 4)
+            session().reset(&knob == &resolution ? directions : resolution);
+    }
+
+    Viewer& viewer_;
+    std::mt19937 random_;
+    int turns_ = 0, looks_ = 0;
+};
+
+void run(double seconds, uint32_t seed) {
+    Settings settings(all_knobs());
+    settings.set(kWidth, 200);
+    settings.set(kHeight, 120);
+    const std::string home_scene = "cornell";
+    const auto file = find_scene(home_scene);
+    ViewerOptions options;
+    options.exact_size = true;
+    options.gl_debug = true;
+    Viewer viewer(options, settings, file, load_gltf(file, default_memory_limit()));
+    Monkey monkey(viewer, seed);
+
+    const auto rest = [&] {
+        monkey.open(home_scene);
+        viewer.session().reset_all();
+        viewer.session().follow_window(true);
+        for (int i = 0; i < 10; ++i)
+            viewer.step();
+        monkey.check("at rest");
+        return resident_bytes();
+    };
+    const Clock::time_point begin = Clock::now();
+    const auto passed = [&] {
+        return std::chrono::duration<double>(Clock::now() - begin).count() / seconds;
+    };
+    const auto play_until = [&](double part) {
+        for (int i = 0; passed() < part; ++i) {
+            monkey.turn_something();
+            if (i % 40 == 39)
+                monkey.open_some_scene();
+            monkey.look();
+        }
+    };
+    // What is only used once (a driver's caches, a font) is there after the first half.
+    play_until(0.5);
+    const size_t before = rest();
+    play_until(1.0);
+    const size_t after = rest();
+    const double growth = static_cast<double>(after) / static_cast<double>(before) - 1.0;
+    fmt::print("{} turns, {} pictures, seed {}: {} resident half-way, {} at the end ({:+.2f} %)\n",
+               monkey.turns(), monkey.looks(), seed, format_bytes(before), format_bytes(after),
+               100.0 * growth);
+    if (growth > kMostGrowth)
+        throw Error(fmt::format("memory grew by {:.2f} %", 100.0 * growth));
+}
+
+} // namespace
+} // namespace romascope
+
+int main(int argc, char** argv) {
+    if (argc < 2) {
+        fmt::print(stderr, "usage: monkey SECONDS [SEED]\n");
+        return 2;
+    }
+    try {
+        const auto seed = argc > 2 ? std::strtoul(argv[2], nullptr, 10) : std::random_device()();
+        romascope::run(std::atof(argv[1]), static_cast<uint32_t>(seed));
+        return 0;
+    } catch (const std::exception& error) {
+        fmt::print(stderr, "monkey: {}\n", error.what());
+        return 1;
+    }
+}
