@@ -54,6 +54,7 @@ void Session::show(const std::filesystem::path& file, Scene scene) {
     for (const std::string& notice : loaded_->scene.notices)
         messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
     drawn_.reset();
+    frames_ = 0;
     playback_.play(playback_.playing() && is_animated());
 }
 

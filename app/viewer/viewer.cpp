@@ -245,6 +245,8 @@ std::filesystem::path Viewer::new_file() const {
 
 void Viewer::take_screenshot() {
     attempt([&] {
+        if (session_.frame_count() == 0)
+            throw Error("no screenshot: nothing has been drawn yet");
         const std::filesystem::path file = new_file();
         const Image picture = session_.pipeline()->picture();
         write_image(file, picture);
