@@ -70,9 +70,10 @@ void Costs::measure(Session& session) {
         if (!timing.milliseconds.empty())
             passes_.push_back(
                 {timing.pass, timing.rasterises, timing.median(), timing.percentile_95()});
-    structures_.clear();
-    for (const StructureBytes& structure : pipeline.bytes())
-        structures_.push_back({structure.name, structure.bytes});
+    structures_ = pipeline.bytes();
+    counts_.clear();
+    if (session.frame_count() > 0)
+        counts_ = pipeline.counts();
     measured_ = Clock::now();
 }
 
@@ -101,6 +102,7 @@ void Costs::draw(Session& session, UiMap& map) {
     is_newest_ = due && session.at_rest();
     draw_passes();
     draw_structures();
+    draw_counts();
 }
 
 void Costs::draw_passes() const {
@@ -127,11 +129,20 @@ void Costs::draw_structures() const {
         return;
     heading("memory", {""});
     size_t sum = 0;
-    for (const Structure& structure : structures_) {
+    for (const StructureBytes& structure : structures_) {
         row(structure.name, {format_bytes(structure.bytes)});
         sum += structure.bytes;
     }
     sum_row({format_bytes(sum)});
+    ImGui::EndTable();
+}
+
+void Costs::draw_counts() const {
+    if (counts_.empty() || !begin_table("##counts", 1))
+        return;
+    heading("counted in the last frame", {""});
+    for (const NamedCount& count : counts_)
+        row(count.name, {fmt::format("{}", count.count)});
     ImGui::EndTable();
 }
 
