@@ -168,8 +168,8 @@ class Viewer:
                              f"no widget {name}")["widgets"][name]
 
     def scroll_to(self, name):
-        left = min(box[0] for box in self.map()["widgets"].values())
-        self.point(left + 2, self.map()["size"][1] / 2)
+        left, top, _, bottom = self.map()["widgets"]["panel"]
+        self.point(left + 5, (top + bottom) / 2)
         for direction in (4, 5):  # the wheel, up and down
             for _ in range(60):
                 if name in self.map()["widgets"]:

@@ -58,6 +58,7 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const bool open = begin_panel();
+    map.note_window("panel");
     const bool costs_apart = screen.x - right_edge_ > (kCostsWidth + kLeastPicture) * em;
     if (open) {
         draw_scene(session, map, requests);

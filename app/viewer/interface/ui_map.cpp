@@ -75,6 +75,15 @@ void UiMap::note(std::string_view name) {
                                               bottom * scale.y};
 }
 
+void UiMap::note_window(std::string_view name) {
+    if (file_.empty())
+        return;
+    const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
+    const ImVec2 scale = ImGui::GetIO().DisplayFramebufferScale;
+    (*seen_)["widgets"][std::string(name)] = {at.x * scale.x, at.y * scale.y,
+                                              (at.x + size.x) * scale.x, (at.y + size.y) * scale.y};
+}
+
 void UiMap::finish_frame(Session& session, const InterfaceState& state) {
     if (file_.empty())
         return;

@@ -32,6 +32,8 @@ public:
     void begin_frame();
     /// The widget that was laid out last goes by that name.
     void note(std::string_view name);
+    /// The window that is being laid out goes by that name.
+    void note_window(std::string_view name);
     /// Writes the file whole, if anything but the frame's number changed, at most ten times a
     /// second. A folder that cannot be written to ends it, which is told.
     void finish_frame(Session& session, const InterfaceState& state);
