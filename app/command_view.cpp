@@ -34,14 +34,16 @@ int view(const ViewOptions& options) {
         fmt::print(stderr, "notice: starting with the settings of {}\n",
                    start_settings_file().string());
     settings = options.settings.apply_to(settings);
-    make_tracer(settings.get(kTracer)); // refuses a name there is not
+    check_tracer(settings);
     const fs::path file = find_scene(options.scene);
     Scene scene = load_gltf(file, options.viewer.memory.limit());
-    const Showing names_are_known(scene, settings);
+    const Showing names_are_known(scene, settings); // before there is a window
 
     ViewerOptions viewer_options = options.viewer;
     viewer_options.panel = !options.no_panel;
-    viewer_options.exact_size = !settings.is_default(kWidth) || !settings.is_default(kHeight);
+    viewer_options.exact_size = !options.settings.size.empty() || !settings.is_default(kWidth) ||
+                                !settings.is_default(kHeight);
+    viewer_options.technique = options.settings.technique;
     Viewer viewer(viewer_options, settings, file, std::move(scene));
     viewer.run();
     return 0;

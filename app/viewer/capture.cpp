@@ -7,12 +7,12 @@
 
 namespace romascope {
 
-Capture::Capture(const Scene& scene, const Settings& settings, ShaderLibrary shaders,
-                 std::filesystem::path file)
-    : settings_(settings), file_(std::move(file)), pipeline_(scene, std::move(shaders)),
-      frames_(settings.get(kFrames)) {
-    const Pose pose = pose_of_frame(scene, settings, 0);
-    camera_ = chosen_camera(scene, settings, pose);
+Capture::Capture(std::shared_ptr<const Scene> scene, const Settings& settings,
+                 ShaderLibrary shaders, std::filesystem::path file)
+    : scene_(std::move(scene)), settings_(settings), file_(std::move(file)),
+      pipeline_(*scene_, std::move(shaders)), frames_(settings.get(kFrames)) {
+    const Pose pose = pose_of_frame(*scene_, settings, 0);
+    camera_ = chosen_camera(*scene_, settings, pose);
     pipeline_.set_pose(pose);
 }
 

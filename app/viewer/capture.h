@@ -5,7 +5,6 @@
 
 #include <filesystem>
 #include <memory>
-#include <optional>
 
 namespace romascope {
 
@@ -13,9 +12,9 @@ namespace romascope {
 /// window goes on. It is what `romascope render` gives.
 class Capture {
 public:
-    /// Keeps a reference to the scene. `settings`: with the size and the number of frames. Throws
+    /// Keeps the scene alive. `settings`: with the size and the number of frames. Throws
     /// Error if they cannot be rendered.
-    Capture(const Scene& scene, const Settings& settings, ShaderLibrary shaders,
+    Capture(std::shared_ptr<const Scene> scene, const Settings& settings, ShaderLibrary shaders,
             std::filesystem::path file);
 
     /// One frame more; after the last one the file is written. True when that is done. Throws Error
@@ -26,6 +25,7 @@ public:
     glm::ivec2 size() const { return {settings_.get(kWidth), settings_.get(kHeight)}; }
 
 private:
+    std::shared_ptr<const Scene> scene_;
     Settings settings_;
     std::filesystem::path file_;
     Pipeline pipeline_;

@@ -7,25 +7,23 @@
 namespace romascope {
 
 std::span<const KeyBinding> key_bindings() {
-    constexpr bool kPlain = false, kControl = true, kShift = true;
+    constexpr bool kOnce = false, kRepeats = true;
     static const KeyBinding bindings[] = {
-        {KeyAction::help, GLFW_KEY_F1, kPlain, kPlain, "F1", "this help"},
-        {KeyAction::panel, GLFW_KEY_TAB, kPlain, kPlain, "Tab", "the panel, or only the picture"},
-        {KeyAction::scene_camera, GLFW_KEY_1, kPlain, kPlain, "1 ... 9", "the scene's cameras"},
-        {KeyAction::fit, GLFW_KEY_F, kPlain, kPlain, "F", "fit all of the scene in the view"},
-        {KeyAction::play, GLFW_KEY_SPACE, kPlain, kPlain, "Space", "play the animation, or pause"},
-        {KeyAction::step_back, GLFW_KEY_COMMA, kPlain, kPlain, ",", "1/30 s back"},
-        {KeyAction::step_on, GLFW_KEY_PERIOD, kPlain, kPlain, ".", "1/30 s on"},
-        {KeyAction::screenshot, GLFW_KEY_F12, kPlain, kPlain, "F12",
-         "save the picture as it is seen"},
-        {KeyAction::large_screenshot, GLFW_KEY_F12, kPlain, kShift, "Shift+F12",
+        {KeyAction::help, GLFW_KEY_F1, 0, kOnce, "F1", "this help"},
+        {KeyAction::panel, GLFW_KEY_TAB, 0, kOnce, "Tab", "the panel, or only the picture"},
+        {KeyAction::scene_camera, GLFW_KEY_1, 0, kOnce, "1 ... 9", "the scene's cameras"},
+        {KeyAction::fit, GLFW_KEY_F, 0, kOnce, "F", "fit all of the scene in the view"},
+        {KeyAction::play, GLFW_KEY_SPACE, 0, kOnce, "Space", "play the animation, or pause"},
+        {KeyAction::step_back, GLFW_KEY_COMMA, 0, kRepeats, ",", "1/30 s back"},
+        {KeyAction::step_on, GLFW_KEY_PERIOD, 0, kRepeats, ".", "1/30 s on"},
+        {KeyAction::screenshot, GLFW_KEY_F12, 0, kOnce, "F12", "save the picture as it is seen"},
+        {KeyAction::large_screenshot, GLFW_KEY_F12, GLFW_MOD_SHIFT, kOnce, "Shift+F12",
          "save it at the size that the panel names"},
-        {KeyAction::copy_command, GLFW_KEY_C, kControl, kPlain, "Ctrl+C",
+        {KeyAction::copy_command, GLFW_KEY_C, GLFW_MOD_CONTROL, kOnce, "Ctrl+C",
          "copy the command that renders this picture"},
-        {KeyAction::reset_all, GLFW_KEY_R, kControl, kPlain, "Ctrl+R", "reset all knobs"},
-        {KeyAction::reload_shaders, GLFW_KEY_F5, kPlain, kPlain, "F5",
-         "look for changed shaders now"},
-        {KeyAction::quit, GLFW_KEY_Q, kControl, kPlain, "Ctrl+Q", "close the window"},
+        {KeyAction::reset_all, GLFW_KEY_R, GLFW_MOD_CONTROL, kOnce, "Ctrl+R", "reset all knobs"},
+        {KeyAction::reload_shaders, GLFW_KEY_F5, 0, kOnce, "F5", "look for changed shaders now"},
+        {KeyAction::quit, GLFW_KEY_Q, GLFW_MOD_CONTROL, kOnce, "Ctrl+Q", "close the window"},
     };
     return bindings;
 }

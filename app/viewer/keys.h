@@ -25,8 +25,9 @@ enum class KeyAction {
 
 struct KeyBinding {
     KeyAction action;
-    int key = 0; ///< GLFW_KEY_...; of scene_camera the first of nine
-    bool control = false, shift = false;
+    int key = 0;           ///< GLFW_KEY_...; of scene_camera the first of nine
+    int mods = 0;          ///< GLFW_MOD_..., and no other of Control, Shift, Alt and Super
+    bool repeats = false;  ///< as long as the key is held
     std::string_view name; ///< as people read it: "Ctrl+C"
     std::string_view help;
 };

@@ -23,7 +23,10 @@ void Messages::tell(Severity severity, const std::string& text) {
         if (all_.size() > kMessagesKept)
             all_.pop_front();
     }
-    fmt::print(stderr, "{}: {}\n", severity == Severity::notice ? "notice" : "romascope", text);
+    // Not by fmt::print, which throws where nobody reads.
+    const std::string line =
+        fmt::format("{}: {}\n", severity == Severity::notice ? "notice" : "romascope", text);
+    std::fputs(line.c_str(), stderr);
     std::fflush(stderr);
 }
 

@@ -40,21 +40,24 @@ Session::Session(Settings settings, std::filesystem::path shaders, SceneOptions 
     playback_.play(settings_.get(kFps) > 0.0);
 }
 
-void Session::check_memory_for(const Scene& scene, const Settings& settings) const {
+/// `held`: bytes of what the new frames take the place of, which is not free at present.
+void Session::check_memory_for(const Scene& scene, const Settings& settings, size_t held) const {
     if (is_software_context())
-        check_memory(scene, settings, memory_.left_beside(scene), memory_.max_memory.has_value());
+        check_memory(scene, settings, memory_.left_beside(scene) + held,
+                     memory_.max_memory.has_value());
 }
 
 void Session::show(const std::filesystem::path& file, Scene scene) {
     Showing(scene, settings_);
-    check_memory_for(scene, settings_);
-    auto loaded = std::make_unique<Loaded>(file, std::move(scene), library());
+    check_memory_for(scene, settings_, 0);
+    auto loaded = std::make_shared<Loaded>(file, std::move(scene), library());
     loaded->pipeline.timer().keep_latest(kTimesKept);
     loaded_ = std::move(loaded);
     for (const std::string& notice : loaded_->scene.notices)
         messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
     drawn_.reset();
     frames_ = 0;
+    withdraw_faults(); // of the scene before
     playback_.play(playback_.playing() && is_animated());
 }
 
@@ -203,8 +206,10 @@ bool Session::at_rest() const {
 }
 
 bool Session::draw() {
-    if (at_rest())
+    if (at_rest()) {
+        changes_in_a_row_ = 0;
         return false;
+    }
     const Settings wanted = frame_settings();
     const bool changed = drawn_ != wanted;
     const bool structures_changed = !drawn_ || other_methods(*drawn_, wanted);
@@ -215,43 +220,85 @@ bool Session::draw() {
         frames_ = 0;
     }
     changes_in_a_row_ = changed ? changes_in_a_row_ + 1 : 0;
-    frames_ = changed ? 1 : frames_ + 1;
     drawn_ = wanted;
-    failed_ = !try_draw(wanted, structures_changed);
+    failed_ = !try_draw(wanted, changed, structures_changed);
+    frames_ = failed_ ? 0 : changed ? 1 : frames_ + 1;
     return !failed_;
 }
 
-bool Session::try_draw(const Settings& wanted, bool structures_changed) {
+void Session::draw_if_changed() {
+    if (drawn_ != frame_settings())
+        draw();
+}
+
+/// Tells an error of which one holds at a time; empty: none.
+void Session::replace_error(std::string& told, const std::string& text) {
+    if (told == text)
+        return;
+    if (!told.empty())
+        messages_.withdraw(told);
+    told = text;
+    if (!told.empty())
+        tell_error(told);
+}
+
+bool Session::try_draw(const Settings& wanted, bool changed, bool structures_changed) {
     Pipeline& pipeline = loaded_->pipeline;
+    std::string error_text;
     try {
         const Scene& scene = loaded_->scene;
         const Pose pose = pose_of_frame(scene, wanted, 0);
         const Camera camera = chosen_camera(scene, wanted, pose);
-        check_memory_for(scene, wanted);
+        if (changed) {
+            size_t held = 0;
+            for (const StructureBytes& structure : pipeline.bytes())
+                held += structure.bytes;
+            check_memory_for(scene, wanted, held);
+        }
         pipeline.set_pose(pose);
         if (structures_changed)
             pipeline.timer().clear();
         pipeline.render(wanted, camera);
     } catch (const Error& error) {
-        tell_error(error.what());
-        return false;
+        error_text = error.what();
     } catch (const std::bad_alloc&) {
-        tell_error("out of memory: choose smaller structures or a smaller picture");
-        return false;
+        error_text = "out of memory: choose smaller structures or a smaller picture";
     }
+    replace_error(draw_error_, error_text);
+    return error_text.empty();
+}
+
+bool Session::prepare_picture() {
+    if (!loaded_)
+        return false;
+    Pipeline& pipeline = loaded_->pipeline;
+    std::string error_text;
+    try {
+        pipeline.shown();
+    } catch (const Error& error) {
+        error_text = error.what();
+    }
+    replace_error(picture_error_, error_text);
     for (const std::string& fault : pipeline.take_shader_faults()) {
         tell_error(fault);
         shader_faults_.push_back(fault);
     }
-    return true;
+    return error_text.empty();
+}
+
+void Session::withdraw_faults() {
+    for (const std::string& fault : std::exchange(shader_faults_, {}))
+        messages_.withdraw(fault);
+    replace_error(draw_error_, {});
+    replace_error(picture_error_, {});
 }
 
 bool Session::reload_shaders() {
     if (!loaded_ || !loaded_->pipeline.reload_shaders())
         return false;
     // What is still at fault comes up again with the next frame.
-    for (const std::string& fault : std::exchange(shader_faults_, {}))
-        messages_.withdraw(fault);
+    loaded_->pipeline.take_shader_faults();
+    withdraw_faults();
     messages_.tell(Severity::info, "shaders read again");
     drawn_.reset();
     return true;

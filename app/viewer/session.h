@@ -37,6 +37,8 @@ public:
     bool open(const std::string& file_or_name);
     bool has_scene() const { return loaded_ != nullptr; }
     const Scene& scene() const { return loaded_->scene; }
+    /// The same, which stays when another is opened.
+    std::shared_ptr<const Scene> shared_scene() const { return {loaded_, &loaded_->scene}; }
     const std::filesystem::path& scene_file() const { return loaded_->file; }
 
     // --- Settings. They count from the next frame on.
@@ -57,6 +59,8 @@ public:
     void choose_technique(const std::string& name);
     /// The technique that was chosen last; empty if none was.
     const std::string& technique() const { return technique_; }
+    /// The settings are those of a technique already.
+    void note_technique(const std::string& name) { technique_ = name; }
 
     // --- Camera.
 
@@ -92,6 +96,11 @@ public:
     /// beginning, so that the picture after n frames is what `romascope render --frames n` gives;
     /// it rests after `render.frames` of them.
     bool draw();
+    /// A frame of what is wanted now, if the last one was of something else.
+    void draw_if_changed();
+    /// Makes the picture that Pipeline::shown() gives, and tells what programs are at fault. False
+    /// if there is none.
+    bool prepare_picture();
     /// Whether draw() has nothing to do.
     bool at_rest() const;
     /// Frames in the picture.
@@ -106,7 +115,9 @@ public:
     Messages& messages() { return messages_; }
 
     /// Refuses frames that would take more memory than is left; see check_memory. Throws Error.
-    void check_memory_for(const Settings& settings) const { check_memory_for(scene(), settings); }
+    void check_memory_for(const Settings& settings) const {
+        check_memory_for(scene(), settings, 0);
+    }
     /// The folder that shaders are read from; empty: the program itself.
     const std::filesystem::path& shader_folder() const { return shader_folder_; }
     ShaderLibrary library() const {
@@ -122,8 +133,10 @@ private:
         Pipeline pipeline;
     };
     void tell_error(const std::string& text) { messages_.tell(Severity::error, text); }
-    void check_memory_for(const Scene& scene, const Settings& settings) const;
-    bool try_draw(const Settings& wanted, bool structures_changed);
+    void check_memory_for(const Scene& scene, const Settings& settings, size_t held) const;
+    bool try_draw(const Settings& wanted, bool changed, bool structures_changed);
+    void replace_error(std::string& told, const std::string& text);
+    void withdraw_faults();
     Settings frame_settings() const;
 
     Settings settings_;
@@ -131,7 +144,7 @@ private:
     SceneOptions memory_;
     Messages& messages_;
     std::string technique_;
-    std::unique_ptr<Loaded> loaded_;
+    std::shared_ptr<Loaded> loaded_;
     Playback playback_;
     glm::ivec2 window_size_{0};
     bool follows_window_ = true;
@@ -140,9 +153,11 @@ private:
     uint32_t frames_ = 0;           ///< in the picture
     int changes_in_a_row_ = 0;
     bool failed_ = false;
-    std::vector<std::string> shader_faults_; ///< that were told and hold
-    Viewpoint viewpoint_;                    ///< what viewpoint_text_ was made of
-    std::string viewpoint_text_;             ///< what render.camera was set to; empty: nothing yet
+    // What was told and holds: of programs, of the last frame, of the last picture.
+    std::vector<std::string> shader_faults_;
+    std::string draw_error_, picture_error_;
+    Viewpoint viewpoint_;        ///< what viewpoint_text_ was made of
+    std::string viewpoint_text_; ///< what render.camera was set to; empty: nothing yet
 };
 
 /// Frames after which the picture rests, unless told otherwise.

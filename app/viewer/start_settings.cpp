@@ -20,7 +20,12 @@ bool has_start_settings() {
 bool load_start_settings(Settings& settings) {
     if (!has_start_settings())
         return false;
-    settings.load_toml(start_settings_file());
+    try {
+        settings.load_toml(start_settings_file());
+    } catch (const Error& error) {
+        throw Error(fmt::format("{} ('romascope view --defaults' starts without it)", error.what()),
+                    error.exit_status());
+    }
     return true;
 }
 
@@ -29,7 +34,7 @@ void save_start_settings(const Settings& settings) {
     for (const KnobBase* knob : std::initializer_list<const KnobBase*>{
              &kCamera, &kTime, &kFps, &kAnimation, &kWidth, &kHeight})
         kept.reset(*knob);
-    write_file_atomically(start_settings_file(), kept.to_toml());
+    write_file_atomically(start_settings_file(), kept.changes_to_toml());
 }
 
 bool forget_start_settings() {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/viewer.h"
 
-#include "app/frame_run.h"
 #include "app/viewer/navigate.h"
 #include "app/viewer/render_command.h"
 #include "app/viewer/screenshot_files.h"
@@ -30,6 +29,8 @@ constexpr std::chrono::milliseconds kShaderWatch{250};
 constexpr double kIdleSeconds = 0.25;
 constexpr double kAnimationStep = 1.0 / 30.0; ///< seconds
 
+constexpr int kModifiers = GLFW_MOD_CONTROL | GLFW_MOD_SHIFT | GLFW_MOD_ALT | GLFW_MOD_SUPER;
+
 glm::ivec2 size_of(const Settings& settings) {
     return {settings.get(kWidth), settings.get(kHeight)};
 }
@@ -48,6 +49,7 @@ Viewer::Viewer(const ViewerOptions& options, const Settings& settings,
         gl_log_.emplace();
     state_.panel = options.panel;
     interface_.set_scale(window_.scale());
+    session_.note_technique(options.technique);
     session_.show(scene_file, std::move(scene));
     window_.set_title("romascope - " + scene_file.filename().string());
 }
@@ -68,11 +70,12 @@ bool Viewer::step() {
     interface_.begin_frame();
     session_.set_window_size(window_.pixels());
     const WindowInput input = window_.take_input();
+    const bool was_playing = session_.playback().playing();
     for (const std::string& file : input.dropped)
         do_requests({.open = file});
     handle_keys();
     navigate(input);
-    session_.advance(elapsed);
+    session_.advance(was_playing ? elapsed : 0.0);
     watch_shaders();
     if (!interface_.input_waits()) // which a slow frame would hold up
         session_.draw();
@@ -100,9 +103,8 @@ void Viewer::handle_keys() {
     for (const KeyPress& press : interface_.keys())
         for (const KeyBinding& binding : key_bindings()) {
             const int count = binding.action == KeyAction::scene_camera ? 9 : 1;
-            const bool control = press.mods & GLFW_MOD_CONTROL, shift = press.mods & GLFW_MOD_SHIFT;
             if (press.key >= binding.key && press.key < binding.key + count &&
-                control == binding.control && shift == binding.shift)
+                (press.mods & kModifiers) == binding.mods && (binding.repeats || !press.repeat))
                 act(binding.action, press.key - binding.key);
         }
 }
@@ -110,11 +112,9 @@ void Viewer::handle_keys() {
 void Viewer::act(KeyAction action, int nth) {
     const auto step_time = [&](double seconds) {
         session_.play(false);
-        const double duration = session_.duration();
-        if (duration > 0.0) {
-            const double time = session_.settings().get(kTime) + seconds;
-            session_.set(kTime, time < 0.0 ? time + duration : std::fmod(time, duration));
-        }
+        if (session_.is_animated())
+            session_.set(
+                kTime, wrapped_time(session_.settings().get(kTime) + seconds, session_.duration()));
     };
     switch (action) {
     case KeyAction::help:
@@ -160,6 +160,12 @@ void Viewer::act(KeyAction action, int nth) {
 }
 
 void Viewer::do_requests(const Requests& requests) {
+    // What stands in the settings is what these three are about, be it drawn or not.
+    if (requests.copy_command || requests.screenshot || requests.large_screenshot)
+        session_.draw_if_changed();
+    // A frame of a course of time cannot be told by a command; the one at rest can.
+    if (requests.copy_command || requests.large_screenshot)
+        session_.play(false);
     if (requests.copy_command) {
         window_.set_clipboard(command());
         messages_.tell(Severity::info, fmt::format("copied: {}", command()));
@@ -191,7 +197,6 @@ void Viewer::do_requests(const Requests& requests) {
                                              "--shaders FOLDER to change them"
                                            : "no shader has changed");
     if (requests.open) {
-        capture_.reset(); // of the scene before
         if (session_.open(*requests.open))
             window_.set_title("romascope - " + session_.scene_file().filename().string());
     }
@@ -200,11 +205,14 @@ void Viewer::do_requests(const Requests& requests) {
 }
 
 void Viewer::navigate(const WindowInput& input) {
-    const CameraMove move =
-        camera_move(window_, input, !interface_.wants_mouse(), !interface_.wants_keyboard());
-    if (!is_still(move))
+    const CameraMove move = camera_move(window_, input, !interface_.wants_mouse(),
+                                        !interface_.wants_keyboard() && !interface_.input_waits());
+    if (is_still(move))
+        return;
+    attempt([&] {
         session_.set_viewpoint(moved(session_.viewpoint(), move,
                                      glm::length(glm::dvec3(session_.scene().bounds.extent()))));
+    });
 }
 
 void Viewer::watch_shaders() {
@@ -216,7 +224,7 @@ void Viewer::watch_shaders() {
 
 void Viewer::present() {
     const glm::ivec2 pixels = window_.pixels();
-    if (pixels.x > 0 && pixels.y > 0)
+    if (session_.prepare_picture())
         romascope::show(session_.pipeline()->shown(), 0, pixels);
     Activity activity{.saved_settings = has_start_settings()};
     if (capture_)
@@ -233,8 +241,8 @@ void Viewer::present() {
 void Viewer::tell_gl_messages() {
     if (!gl_log_)
         return;
-    for (; gl_told_ < gl_log_->messages().size(); ++gl_told_)
-        messages_.tell(Severity::error, gl_log_->messages()[gl_told_]);
+    for (const std::string& message : gl_log_->take())
+        messages_.tell(Severity::error, message);
 }
 
 std::filesystem::path Viewer::new_file() const {
@@ -245,8 +253,8 @@ std::filesystem::path Viewer::new_file() const {
 
 void Viewer::take_screenshot() {
     attempt([&] {
-        if (session_.frame_count() == 0)
-            throw Error("no screenshot: nothing has been drawn yet");
+        if (session_.pipeline()->frame_count() == 0)
+            throw Error("no screenshot: with these settings nothing has been drawn");
         const std::filesystem::path file = new_file();
         const Image picture = session_.pipeline()->picture();
         write_image(file, picture);
@@ -265,7 +273,7 @@ void Viewer::start_capture() {
         settings.reset(kFps);
         capture_.reset();
         session_.check_memory_for(settings);
-        capture_.emplace(session_.scene(), settings, session_.library(), new_file());
+        capture_.emplace(session_.shared_scene(), settings, session_.library(), new_file());
     });
 }
 

@@ -14,6 +14,7 @@
 namespace romascope {
 
 struct ViewerOptions {
+    std::string technique;             ///< that the settings are of; may be empty
     std::filesystem::path shaders;     ///< empty: those in the program
     std::filesystem::path screenshots; ///< empty: screenshot_folder()
     std::filesystem::path ui_map;      ///< where to tell of widgets, for tests; empty: nowhere
@@ -60,7 +61,6 @@ private:
     Messages messages_;
     Window window_;
     std::optional<DebugLog> gl_log_;
-    size_t gl_told_ = 0;
     Session session_;
     Interface interface_;
     InterfaceState state_;

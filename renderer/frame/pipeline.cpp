@@ -112,6 +112,7 @@ bool Pipeline::reload_shaders() {
         return false;
     mean_.reset();
     pose_ = {}; // deformed anew
+    shown_ = nullptr;
     return true;
 }
 
@@ -127,10 +128,17 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     const Texture& picture = draw_picture(frame, view);
     if (is_of_last_frame(settings.get(kView)))
         mean_.reset();
+    shown_ = nullptr;
     mean_.add(frame, picture);
     ++frame_;
     timer_.collect();
     check_gl_error("the frame");
+}
+
+const Texture& Pipeline::shown() {
+    if (!shown_)
+        shown_ = &present_.run(shaders_, timer_, mean_.mean());
+    return *shown_;
 }
 
 const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& view) {

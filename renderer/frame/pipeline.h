@@ -37,9 +37,9 @@ public:
     Image picture() const;
 
     /// picture() as a screen shows it, see Present: RGBA8, row 0 at the top, without texels before
-    /// the first frame. Made anew by each call; show() brings it to a window. Throws Error if its
-    /// shader does not compile.
-    const Texture& shown() { return present_.run(shaders_, timer_, mean_.mean()); }
+    /// the first frame. Made anew after each frame; show() brings it to a window. Throws Error if
+    /// its shader does not compile, or if there is no memory for it.
+    const Texture& shown();
 
     /// Follows the files of a shader folder: if any changed, the mean starts anew, and true. What
     /// no longer compiles goes on as it was; see take_shader_faults() after the next frame.
@@ -72,6 +72,7 @@ private:
     Compose compose_;
     RunningMean mean_;
     Present present_;
+    const Texture* shown_ = nullptr; ///< of present_; null: older than the mean
     std::optional<Settings> last_settings_;
     Camera last_camera_;
     uint32_t frame_ = 0; ///< in the random sequences

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace romascope {
@@ -16,6 +17,8 @@ public:
     DebugLog& operator=(const DebugLog&) = delete;
 
     const std::vector<std::string>& messages() const { return messages_; }
+    /// The same, and forgets them.
+    std::vector<std::string> take() { return std::exchange(messages_, {}); }
 
 private:
     friend struct DebugLogAccess;

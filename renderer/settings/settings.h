@@ -76,6 +76,8 @@ public:
     /// Every knob with a comment, grouped in tables. Loaded into any settings of this table, it
     /// gives settings equal to these, to the last bit.
     std::string to_toml() const;
+    /// The same of what is not default alone, without comments.
+    std::string changes_to_toml() const;
 
     const KnobTable& table() const { return *table_; }
 

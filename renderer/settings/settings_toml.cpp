@@ -141,4 +141,12 @@ std::string Settings::to_toml() const {
     return text;
 }
 
+std::string Settings::changes_to_toml() const {
+    std::string text;
+    for (const KnobBase* knob : table_->all())
+        if (!is_default(*knob))
+            text += fmt::format("{} = {}\n", knob->key(), toml_value(value(*knob)));
+    return text;
+}
+
 } // namespace romascope

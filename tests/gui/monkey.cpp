@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// A monkey at the window: it turns knobs at random through their whole range, changes cameras and
-// scenes, resizes, and looks whether all of it stays whole.
+// A monkey at the window: it turns knobs at random through their whole range, moves the camera,
+// plays, opens scenes, and looks whether all of it stays whole.
 //
 //     monkey SECONDS [SEED]
 //
@@ -9,12 +9,12 @@
 // be learnt from how long they take here: pictures above 640 pixels, maps of a resolution and of
 // directions that would each take a software renderer minutes together.
 #include "app/scene_files.h"
+#include "app/viewer/interface/known_names.h"
 #include "app/viewer/render_command.h"
 #include "app/viewer/viewer.h"
 #include "renderer/base/error.h"
 #include "renderer/base/memory.h"
 #include "renderer/scene/gltf/import.h"
-#include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
 
@@ -59,6 +59,8 @@ public:
             session().fit_view();
         else if (kind == 3)
             fly();
+        else if (kind == 4)
+            session().play(!session().playback().playing());
         else
             turn(*knobs[static_cast<size_t>(whole(0, static_cast<int>(knobs.size()) - 1))]);
         ++turns_;
@@ -140,15 +142,9 @@ private:
     }
 
     std::string text(const KnobBase& knob) {
-        std::vector<std::string> names = {""};
-        if (&knob == &kTracer) {
-            names.clear();
-            for (const TracerEntry& tracer : tracers())
-                names.emplace_back(tracer.name);
-        } else if (&knob == &kCamera) {
-            for (const Camera& camera : session().scene().cameras)
-                names.push_back(camera.name);
-        }
+        std::vector<std::string> names;
+        for (const KnownName& name : known_names(knob, session()).names)
+            names.push_back(name.value);
         return one_of(names);
     }
 
@@ -202,6 +198,7 @@ void run(double seconds, uint32_t seed) {
     const auto rest = [&] {
         monkey.open(home_scene);
         viewer.session().reset_all();
+        viewer.session().play(false);
         viewer.session().follow_window(true);
         size_t least = std::numeric_limits<size_t>::max();
         for (int i = 0; i < 5; ++i) {

@@ -42,6 +42,8 @@ class Keys(GuiTest):
         viewer.wait_map(lambda now: now["settings"].get("render.camera") == "partition",
                         "not the third camera")
         viewer.key("9")  # there are three
+        viewer.wait_rest_after_moving()
+        self.assertEqual(viewer.setting("render.camera"), "partition")
         viewer.key("2")
         viewer.wait_map(lambda now: now["settings"].get("render.camera") == "corner",
                         "not the second camera")

@@ -59,6 +59,25 @@ class Panel(GuiTest):
         self.screen.do("keyup", "ctrl")
         viewer.type(text)
 
+    def test_a_wrong_name_is_told_until_it_is_mended(self):
+        viewer = self.viewer
+        self.find("render.camera")
+        viewer.point(*viewer.middle("render.camera"))
+        viewer.button("mousedown")
+        viewer.button("mouseup")
+        viewer.type("nosuch")
+        viewer.wait_message("nosuch", "error")
+        viewer.key("F12")  # what is still shown is of other settings
+        viewer.wait_message("no screenshot", "error")
+        viewer.drag((700, 500), (740, 480))  # no camera to turn: told, and no more
+        viewer.key("2")
+        viewer.wait_map(lambda now: now["at_rest"] and now["settings"].get("render.camera") ==
+                        "corner" and not any(message["severity"] == "error" and
+                                             "nosuch" in message["text"]
+                                             for message in now["messages"]),
+                        "the error stays")
+        viewer.close()
+
     def test_every_knob_is_there(self):
         """Each key that `info --knobs` lists is found in the panel."""
         text = subprocess.run([gui.PROGRAM, "info", "--knobs"], check=True, timeout=60,

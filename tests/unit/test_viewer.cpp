@@ -187,6 +187,13 @@ TEST(Navigate, FliesFasterInLargerScenesAndWithShift) {
     EXPECT_GT(way(true, 10.0), 2.0 * way(false, 10.0));
 }
 
+TEST(Playback, TimeWraps) {
+    EXPECT_NEAR(wrapped_time(9.0, 4.0), 1.0, 1e-12);
+    EXPECT_NEAR(wrapped_time(-0.25, 4.0), 3.75, 1e-12);
+    EXPECT_NEAR(wrapped_time(-0.5, 0.2), 0.1, 1e-12);
+    EXPECT_EQ(wrapped_time(1.0, 0.0), 0.0);
+}
+
 TEST(Playback, StartsOverAtTheEnd) {
     Playback playback;
     EXPECT_EQ(playback.advanced(1.0, 0.5, 0.0, 4.0), 1.0); // it stands
@@ -224,7 +231,8 @@ TEST_F(ViewerFiles, StartSettingsComeBack) {
     settings.set(kCamera, "nave");
     settings.set(kWidth, 33);
     save_start_settings(settings);
-    EXPECT_TRUE(fs::exists(home_ / "config" / "romascope" / "viewer.toml"));
+    const fs::path file = home_ / "config" / "romascope" / "viewer.toml";
+    EXPECT_EQ(read_text_file(file), "ao.rays = 7\n"); // later defaults hold for the rest
     Settings loaded(all_knobs());
     EXPECT_TRUE(load_start_settings(loaded));
     EXPECT_EQ(to_text(loaded.value(all_knobs().at("ao.rays"))), "7");

@@ -144,7 +144,7 @@ std::vector<KeyPress> InputQueue::feed() {
         events_.pop_front();
         give(event);
         if (event.kind == Kind::key && event.action != GLFW_RELEASE)
-            keys.push_back({event.code, event.mods});
+            keys.push_back({event.code, event.mods, event.action == GLFW_REPEAT});
     }
     // The platform's frame has asked the window where these stand now, ahead of the queue.
     ImGuiIO& io = ImGui::GetIO();

@@ -173,6 +173,8 @@ Requests Interface::draw(Session& session, InterfaceState& state, const Activity
     Requests requests;
     if (state.panel)
         panel_.draw(session, state, activity, map_, requests);
+    else
+        panel_.hide();
     overlay_.draw(session.messages(), state, state.panel ? panel_.right_edge() : 0.0f, map_);
     if (ImGui::GetIO().WantSaveIniSettings) {
         try {

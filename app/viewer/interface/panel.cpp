@@ -57,6 +57,7 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
                  Requests& requests) {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
+    costs_shown_ = false;
     const bool open = begin_panel();
     map.note_window("panel");
     const bool costs_apart = screen.x - right_edge_ > (kCostsWidth + kLeastPicture) * em;
@@ -68,11 +69,11 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
         ImGui::Spacing();
         knobs_.draw(session, state.filter, map);
         if (!costs_apart && ImGui::CollapsingHeader("Costs###group:costs"))
-            costs_.draw(session, map);
+            draw_costs(session, map);
     }
     ImGui::End();
     if (costs_apart)
-        draw_costs(session, map);
+        draw_costs_window(session, map);
 }
 
 /// As high as the window. Its width is the user's, but for as long as the window is too small.
@@ -100,6 +101,11 @@ bool Panel::begin_panel() {
 }
 
 void Panel::draw_costs(Session& session, UiMap& map) {
+    costs_.draw(session, map);
+    costs_shown_ = true;
+}
+
+void Panel::draw_costs_window(Session& session, UiMap& map) {
     const float em = ImGui::GetFontSize();
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos({screen.x - 0.5f * em, 0.5f * em}, ImGuiCond_Always, {1.0f, 0.0f});
@@ -107,7 +113,7 @@ void Panel::draw_costs(Session& session, UiMap& map) {
                                         {kCostsWidth * em, screen.y - em});
     if (ImGui::Begin("Costs###costs", nullptr,
                      ImGuiWindowFlags_NoMove | ImGuiWindowFlags_AlwaysAutoResize))
-        costs_.draw(session, map);
+        draw_costs(session, map);
     ImGui::End();
 }
 
@@ -180,7 +186,7 @@ void Panel::draw_time(Session& session, UiMap& map) {
     ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
     ImGui::SetNextItemWidth(-FLT_MIN);
     const double zero = 0.0, duration = session.duration();
-    double time = std::min(session.settings().get(kTime), duration);
+    double time = wrapped_time(session.settings().get(kTime), duration);
     if (ImGui::SliderScalar("##time", ImGuiDataType_Double, &time, &zero, &duration, "%.3f s",
                             ImGuiSliderFlags_NoInput)) {
         session.play(false);

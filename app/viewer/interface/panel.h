@@ -23,7 +23,12 @@ public:
               Requests& requests);
     /// Where the panel ends, from the left, in ImGui's units.
     float right_edge() const { return right_edge_; }
-    std::optional<double> seconds_to_change() const { return costs_.seconds_to_change(); }
+    /// Seconds until it shows something newer by itself; none while it does not.
+    std::optional<double> seconds_to_change() const {
+        return costs_shown_ ? costs_.seconds_to_change() : std::nullopt;
+    }
+    /// It is not laid out in this frame.
+    void hide() { costs_shown_ = false; }
 
 private:
     bool begin_panel();
@@ -34,11 +39,13 @@ private:
     void draw_picture(Session& session, InterfaceState& state, const Activity& activity, UiMap& map,
                       Requests& requests);
     void draw_costs(Session& session, UiMap& map);
+    void draw_costs_window(Session& session, UiMap& map);
 
     std::vector<BuiltInScene> built_in_ = built_in_scenes();
     std::string path_; ///< what is being written of a scene's path
     KnobList knobs_;
     Costs costs_;
+    bool costs_shown_ = false; ///< in the last frame
     float right_edge_ = 0.0f;
     float width_ = 0.0f;        ///< as the user has it, in heights of the font; 0: not known yet
     float screen_width_ = 0.0f; ///< in the frame before
