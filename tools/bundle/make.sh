@@ -20,8 +20,8 @@ install -m 644 "$here/README.txt" "$folder/README.txt"
 mv "$folder/share/doc/romascope/LICENSE" "$folder/licences/romascope"
 rm -r "$folder/share/doc"
 
-# Compiled into the program: glm, CLI11, nlohmann-json, and the loader that glad wrote.
-packages=(libglm-dev libcli11-dev nlohmann-json3-dev python3-glad)
+# Compiled into the program: glm, CLI11, nlohmann-json, Dear ImGui, and the loader that glad wrote.
+packages=(libglm-dev libcli11-dev nlohmann-json3-dev python3-glad libimgui-dev)
 while read -r name path; do
     [[ $name =~ $of_the_machine ]] && continue
     case $name in
