@@ -38,7 +38,7 @@ ShaderHandle compile(const ShaderVariant& variant, const ShaderStage& stage,
     GLint ok = 0;
     glGetShaderiv(shader.id(), GL_COMPILE_STATUS, &ok);
     if (!ok)
-        throw Error(fmt::format("shader '{}' does not compile: {}", variant.name,
+        throw Error(fmt::format("shader '{}' ({}) does not compile: {}", variant.name, stage.file,
                                 name_files_in_log(log_of(shader.id(), false), source.files)));
     return shader;
 }
