@@ -7,6 +7,7 @@
 #include "renderer/gl/context.h"
 #include "renderer/scene/fit.h"
 #include "renderer/scene/gltf/import.h"
+#include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
 
@@ -42,9 +43,9 @@ Session::Session(Settings settings, std::filesystem::path shaders, SceneOptions 
 
 /// `held`: bytes of what the new frames take the place of, which is not free at present.
 void Session::check_memory_for(const Scene& scene, const Settings& settings, size_t held) const {
+    const bool given = memory_.max_memory.has_value(); // and counts no matter what is free
     if (is_software_context())
-        check_memory(scene, settings, memory_.left_beside(scene) + held,
-                     memory_.max_memory.has_value());
+        check_memory(scene, settings, memory_.left_beside(scene) + (given ? 0 : held), given);
 }
 
 void Session::show(const std::filesystem::path& file, Scene scene) {
@@ -71,11 +72,12 @@ bool Session::open(const std::string& file_or_name) {
             settings_.reset(*knob);
         show(file, std::move(scene));
         messages_.tell(Severity::info, fmt::format("opened {}", file.string()));
+        replace_error(open_error_, {});
         return true;
     } catch (const Error& error) {
-        tell_error(error.what());
+        replace_error(open_error_, error.what());
     } catch (const std::bad_alloc&) {
-        tell_error(fmt::format("{}: out of memory", file_or_name));
+        replace_error(open_error_, fmt::format("{}: out of memory", file_or_name));
     }
     settings_ = before;
     return false;
@@ -87,9 +89,12 @@ bool Session::set(const KnobBase& knob, const KnobValue& value) {
     try {
         settings_.set_value(knob, value);
     } catch (const Error& error) {
-        tell_error(error.what());
+        replace_error(value_error_, error.what());
         return false;
     }
+    replace_error(value_error_, {});
+    if (&knob == &kFrames && settings_.get(kFrames) < static_cast<int>(frames_))
+        drawn_.reset(); // the picture has too many
     if (&knob == &kWidth || &knob == &kHeight)
         follows_window_ = false;
     return true;
@@ -115,7 +120,12 @@ void Session::reset_all() {
 
 void Session::choose_technique(const std::string& name) {
     try {
-        apply_technique(settings_, name);
+        Settings chosen = settings_;
+        chosen.reset(kTracer);
+        for (const KnobBase* knob : tracer_knobs())
+            chosen.reset(*knob);
+        apply_technique(chosen, name);
+        settings_ = chosen;
         technique_ = name;
     } catch (const Error& error) {
         tell_error(error.what());
@@ -283,6 +293,11 @@ bool Session::prepare_picture() {
         tell_error(fault);
         shader_faults_.push_back(fault);
     }
+    if (reloaded_ && drawn_) {
+        reloaded_ = false;
+        if (shader_faults_.empty() && draw_error_.empty() && picture_error_.empty())
+            messages_.tell(Severity::info, "shaders read again");
+    }
     return error_text.empty();
 }
 
@@ -299,8 +314,8 @@ bool Session::reload_shaders() {
     // What is still at fault comes up again with the next frame.
     loaded_->pipeline.take_shader_faults();
     withdraw_faults();
-    messages_.tell(Severity::info, "shaders read again");
     drawn_.reset();
+    reloaded_ = true;
     return true;
 }
 

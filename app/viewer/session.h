@@ -55,7 +55,8 @@ public:
     void reset_all();
     /// The value that reset() gives: the knob's default; for render.frames one that suits a window.
     KnobValue reset_value(const KnobBase& knob) const;
-    /// All values of a technique, over the values there are.
+    /// A technique: its tracer and values, all else of tracers at its default, as `--technique`
+    /// has it.
     void choose_technique(const std::string& name);
     /// The technique that was chosen last; empty if none was.
     const std::string& technique() const { return technique_; }
@@ -153,9 +154,10 @@ private:
     uint32_t frames_ = 0;           ///< in the picture
     int changes_in_a_row_ = 0;
     bool failed_ = false;
-    // What was told and holds: of programs, of the last frame, of the last picture.
+    bool reloaded_ = false; ///< since the last frame
+    // What was told and holds: of programs, the last frame, picture, value and scene.
     std::vector<std::string> shader_faults_;
-    std::string draw_error_, picture_error_;
+    std::string draw_error_, picture_error_, value_error_, open_error_;
     Viewpoint viewpoint_;        ///< what viewpoint_text_ was made of
     std::string viewpoint_text_; ///< what render.camera was set to; empty: nothing yet
 };

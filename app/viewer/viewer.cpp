@@ -57,6 +57,8 @@ Viewer::Viewer(const ViewerOptions& options, const Settings& settings,
 void Viewer::run() {
     while (step()) {
     }
+    if (capture_)
+        messages_.tell(Severity::notice, "closed before the screenshot was done: it is not saved");
 }
 
 bool Viewer::step() {
@@ -273,6 +275,9 @@ void Viewer::start_capture() {
         settings.reset(kFps);
         capture_.reset();
         session_.check_memory_for(settings);
+        messages_.tell(Severity::info,
+                       fmt::format("rendering {}x{}, {} frames ...", state_.shot_size.x,
+                                   state_.shot_size.y, settings.get(kFrames)));
         capture_.emplace(session_.shared_scene(), settings, session_.library(), new_file());
     });
 }
