@@ -129,6 +129,8 @@ Texture::Texture(const std::string& label, GLenum target, GLenum format, glm::iv
 }
 
 size_t Texture::bytes() const {
+    if (id() == 0)
+        return 0; // and has no format
     return static_cast<size_t>(size_.x) * static_cast<size_t>(size_.y) *
            static_cast<size_t>(size_.z) * bytes_per_texel(format_);
 }
