@@ -51,7 +51,7 @@ void Session::check_memory_for(const Scene& scene, const Settings& settings, siz
 void Session::show(const std::filesystem::path& file, Scene scene) {
     Showing(scene, settings_);
     check_memory_for(scene, settings_, 0);
-    auto loaded = std::make_shared<Loaded>(file, std::move(scene), library());
+    auto loaded = std::make_shared<Loaded>(file, std::move(scene), shader_library());
     loaded->pipeline.timer().keep_latest(kTimesKept);
     loaded_ = std::move(loaded);
     for (const std::string& notice : loaded_->scene.notices)

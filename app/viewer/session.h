@@ -121,7 +121,7 @@ public:
     }
     /// The folder that shaders are read from; empty: the program itself.
     const std::filesystem::path& shader_folder() const { return shader_folder_; }
-    ShaderLibrary library() const {
+    ShaderLibrary shader_library() const {
         return shader_folder_.empty() ? ShaderLibrary() : ShaderLibrary(shader_folder_);
     }
 

@@ -278,7 +278,7 @@ void Viewer::start_capture() {
         messages_.tell(Severity::info,
                        fmt::format("rendering {}x{}, {} frames ...", state_.shot_size.x,
                                    state_.shot_size.y, settings.get(kFrames)));
-        capture_.emplace(session_.shared_scene(), settings, session_.library(), new_file());
+        capture_.emplace(session_.shared_scene(), settings, session_.shader_library(), new_file());
     });
 }
 

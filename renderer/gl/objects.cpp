@@ -182,17 +182,11 @@ TexelBuffer::TexelBuffer(const std::string& label, GLenum format, size_t texels)
                                 "choose a smaller size",
                                 label, static_cast<double>(bytes) / (1 << 20), most));
     buffer_ = Buffer(label, bytes);
-    GLuint id = 0;
-    glCreateTextures(GL_TEXTURE_BUFFER, 1, &id);
-    handle_ = GlHandle<delete_texture>(id);
-    set_label(GL_TEXTURE, id, label);
-    glTextureBuffer(id, format, buffer_.id());
+    view_ = TexelView(label, format, buffer_);
 }
 
-void TexelBuffer::bind(GLuint unit) const { glBindTextureUnit(unit, handle_.id()); }
-
 void TexelBuffer::bind_image(GLuint unit, GLenum access) const {
-    glBindImageTexture(unit, handle_.id(), 0, GL_FALSE, 0, access, format_);
+    glBindImageTexture(unit, view_.id(), 0, GL_FALSE, 0, access, format_);
 }
 
 TexelView::TexelView(const std::string& label, GLenum format, const Buffer& buffer) {

@@ -105,6 +105,19 @@ private:
     glm::ivec3 size_{0};
 };
 
+/// The texels of a buffer that belongs to someone else and lives longer. A driver fetches the first
+/// GL_MAX_TEXTURE_BUFFER_SIZE of them.
+class TexelView {
+public:
+    TexelView() = default;
+    TexelView(const std::string& label, GLenum format, const Buffer& buffer);
+    GLuint id() const { return handle_.id(); }
+    void bind(GLuint unit) const;
+
+private:
+    GlHandle<delete_texture> handle_;
+};
+
 /// A row of texels in a buffer, fetched as a texture and written as an image, each texel by its
 /// place alone. Throws Error if the driver cannot hold it.
 class TexelBuffer {
@@ -116,7 +129,7 @@ public:
     GLenum format() const { return format_; }
     size_t texels() const { return texels_; }
     size_t bytes() const { return buffer_.bytes(); }
-    void bind(GLuint unit) const;
+    void bind(GLuint unit) const { view_.bind(unit); }
     void bind_image(GLuint unit, GLenum access) const;
     void bind_storage(GLuint slot) const { buffer_.bind(GL_SHADER_STORAGE_BUFFER, slot); }
     /// All texels, the components of each after one another.
@@ -124,21 +137,9 @@ public:
 
 private:
     Buffer buffer_;
-    GlHandle<delete_texture> handle_;
+    TexelView view_;
     GLenum format_ = 0;
     size_t texels_ = 0;
-};
-
-/// The texels of a buffer that belongs to someone else and lives longer. A driver fetches the first
-/// GL_MAX_TEXTURE_BUFFER_SIZE of them.
-class TexelView {
-public:
-    TexelView() = default;
-    TexelView(const std::string& label, GLenum format, const Buffer& buffer);
-    void bind(GLuint unit) const;
-
-private:
-    GlHandle<delete_texture> handle_;
 };
 
 /// A framebuffer of textures, or of a size alone for passes that write by image stores only.

@@ -48,7 +48,7 @@ std::string float_literal(double value) {
 } // namespace
 
 std::vector<ShaderDefine> shader_defines(const Settings& settings,
-                                         std::initializer_list<const KnobBase*> knobs) {
+                                         const std::vector<const KnobBase*>& knobs) {
     std::vector<ShaderDefine> defines;
     std::set<std::string> taken;
     const auto add = [&](const KnobBase& knob, std::string name, std::string value) {

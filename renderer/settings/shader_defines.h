@@ -3,9 +3,7 @@
 
 #include "renderer/settings/settings.h"
 
-#include <initializer_list>
 #include <string>
-#include <vector>
 
 namespace romascope {
 
@@ -24,6 +22,6 @@ struct ShaderDefine {
 /// Throws std::logic_error for a text knob, an integer knob whose range does not fit an int of
 /// GLSL, a name that GLSL keeps for itself (GL_...), and two defines of the same name.
 std::vector<ShaderDefine> shader_defines(const Settings& settings,
-                                         std::initializer_list<const KnobBase*> knobs);
+                                         const std::vector<const KnobBase*>& knobs);
 
 } // namespace romascope

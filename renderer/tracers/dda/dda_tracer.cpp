@@ -7,8 +7,4 @@ std::vector<const KnobBase*> dda_knobs() { return {&kDdaNormalOffset, &kDdaEscap
 
 std::unique_ptr<Tracer> make_dda_tracer() { return std::make_unique<DdaTracer>(); }
 
-std::vector<ShaderDefine> DdaTracer::shader_defines(const Settings& settings) const {
-    return romascope::shader_defines(settings, {&kDdaNormalOffset, &kDdaEscape});
-}
-
 } // namespace romascope

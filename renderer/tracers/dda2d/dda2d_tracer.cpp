@@ -9,11 +9,6 @@ std::vector<const KnobBase*> dda2d_knobs() {
 
 std::unique_ptr<Tracer> make_dda2d_tracer() { return std::make_unique<Dda2dTracer>(); }
 
-std::vector<ShaderDefine> Dda2dTracer::shader_defines(const Settings& settings) const {
-    return romascope::shader_defines(settings,
-                                     {&kDda2dHierarchy, &kDda2dNormalOffset, &kDda2dEscape});
-}
-
 void Dda2dTracer::take(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid) {
     GridTracer::take(frame, base, grid);
     if (frame.settings.get(kDda2dHierarchy))

@@ -3,6 +3,7 @@
 
 #include "renderer/tracers/dda2d/hierarchy.h"
 #include "renderer/tracers/occupancy/grid_tracer.h"
+#include "renderer/tracers/occupancy/leaving_knobs.h"
 
 namespace romascope {
 
@@ -13,23 +14,9 @@ inline const Knob<bool> kDda2dHierarchy{
              "made anew every frame; the hits are the same.",
      .source = "Thiedemann et al. 2011, section 4.2"},
     true};
-inline const Knob<double> kDda2dNormalOffset{
-    {.key = "dda2d.normal_offset",
-     .unit = "cells",
-     .help = "How far a ray starts off its surface, along the normal.",
-     .source = "as roma.normal_offset"},
-    1.5,
-    0.0,
-    8.0};
-inline const Knob<int> kDda2dEscape{
-    {.key = "dda2d.escape",
-     .unit = "cells",
-     .help = "How many occupied cells a ray may pass at its very start, where it leaves its own "
-             "surface.",
-     .source = "as roma.escape"},
-    0,
-    0,
-    4};
+inline const Knob<double> kDda2dNormalOffset =
+    normal_offset_knob("dda2d.normal_offset", "as roma.normal_offset", 1.5);
+inline const Knob<int> kDda2dEscape = escape_knob("dda2d.escape", "as roma.escape", 0);
 
 std::vector<const KnobBase*> dda2d_knobs();
 
@@ -37,8 +24,7 @@ std::vector<const KnobBase*> dda2d_knobs();
 /// (Thiedemann et al. 2011). The same hits as DdaTracer.
 class Dda2dTracer final : public GridTracer {
 public:
-    std::string shader_file() const override { return "tracers/dda2d/dda2d_tracer.glsl"; }
-    std::vector<ShaderDefine> shader_defines(const Settings& settings) const override;
+    Dda2dTracer() : GridTracer("tracers/dda2d/dda2d_tracer.glsl", dda2d_knobs()) {}
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
     size_t bytes_needed(const Settings& settings) const override;

@@ -15,7 +15,7 @@ public:
 
     /// R32UI, levels side by side along x: shaders/tracers/dda2d/hierarchy_levels.h.
     const Texture& texture() const { return texture_; }
-    size_t bytes() const { return texture_.id() ? texture_.bytes() : 0; }
+    size_t bytes() const { return texture_.bytes(); }
     /// Bytes for a base map of this size in texels.
     static size_t bytes_for(glm::ivec3 base);
     static ShaderVariant variant();

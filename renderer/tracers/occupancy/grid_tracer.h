@@ -10,6 +10,10 @@ namespace romascope {
 /// uniforms of shaders/tracers/occupancy/grid_ray.glsl.
 class GridTracer : public Tracer {
 public:
+    std::string shader_file() const override { return shader_file_; }
+    std::vector<ShaderDefine> shader_defines(const Settings& settings) const override {
+        return romascope::shader_defines(settings, knobs_);
+    }
     void build(const FrameContext& frame) override;
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
@@ -22,7 +26,14 @@ public:
     /// Traces in a given map from now on: build() without the map's own. Keeps a reference to it.
     virtual void take(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid);
 
+protected:
+    /// Its GLSL file, and the knobs that this is compiled with.
+    GridTracer(std::string shader_file, std::vector<const KnobBase*> knobs)
+        : shader_file_(std::move(shader_file)), knobs_(std::move(knobs)) {}
+
 private:
+    std::string shader_file_;
+    std::vector<const KnobBase*> knobs_;
     OccupancyMap occupancy_;
     OccupancySlice slice_;
     const Texture* base_ = nullptr;

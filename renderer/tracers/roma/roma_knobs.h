@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/settings/knob.h"
+#include "renderer/tracers/occupancy/leaving_knobs.h"
 
 namespace romascope {
 
@@ -43,26 +43,13 @@ inline const Knob<bool> kRomaDirectionJitter{
              "of each stratum.",
      .source = "Zeng et al. 2023, section 4.3"},
     true};
-inline const Knob<double> kRomaNormalOffset{
-    {.key = "roma.normal_offset",
-     .unit = "cells",
-     .help =
-         "How far a ray starts off its surface, along the normal: with roma.alignment rotate in "
-         "cells of a map that encloses the scene at any turn, with shear in those of the "
-         "occupancy map.",
-     .source = "Zeng et al. 2023, section 6"},
-    1.5,
-    0.0,
-    8.0};
-inline const Knob<int> kRomaEscape{
-    {.key = "roma.escape",
-     .unit = "cells",
-     .help = "How many occupied cells a ray may pass at its very start, where it leaves its own "
-             "surface.",
-     .source = "0: as published"},
-    0,
-    0,
-    4};
+inline const Knob<double> kRomaNormalOffset = normal_offset_knob(
+    "roma.normal_offset",
+    "How far a ray starts off its surface, along the normal: with roma.alignment rotate in cells "
+    "of "
+    "a map that encloses the scene at any turn, with shear in those of the occupancy map.",
+    "Zeng et al. 2023, section 6", 1.5);
+inline const Knob<int> kRomaEscape = escape_knob("roma.escape", "0: as published", 0);
 inline const Knob<RomaSampling> kRomaSampling{
     {.key = "roma.sampling",
      .unit = "",

@@ -9,9 +9,4 @@ std::vector<const KnobBase*> samples_knobs() {
 
 std::unique_ptr<Tracer> make_samples_tracer() { return std::make_unique<SamplesTracer>(); }
 
-std::vector<ShaderDefine> SamplesTracer::shader_defines(const Settings& settings) const {
-    return romascope::shader_defines(settings,
-                                     {&kSamplesCount, &kSamplesNormalOffset, &kSamplesEscape});
-}
-
 } // namespace romascope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/tracers/occupancy/grid_tracer.h"
+#include "renderer/tracers/occupancy/leaving_knobs.h"
 
 namespace romascope {
 
@@ -14,31 +15,16 @@ inline const Knob<int> kSamplesCount{
     16,
     1,
     256};
-inline const Knob<double> kSamplesNormalOffset{
-    {.key = "samples.normal_offset",
-     .unit = "cells",
-     .help = "How far a ray starts off its surface, along the normal.",
-     .source = "as roma.normal_offset"},
-    1.5,
-    0.0,
-    8.0};
-inline const Knob<int> kSamplesEscape{
-    {.key = "samples.escape",
-     .unit = "cells",
-     .help = "How many occupied cells a ray may pass at its very start, where it leaves its own "
-             "surface.",
-     .source = "as roma.escape"},
-    0,
-    0,
-    4};
+inline const Knob<double> kSamplesNormalOffset =
+    normal_offset_knob("samples.normal_offset", "as roma.normal_offset", 1.5);
+inline const Knob<int> kSamplesEscape = escape_knob("samples.escape", "as roma.escape", 0);
 
 std::vector<const KnobBase*> samples_knobs();
 
 /// A fixed number of samples of the base occupancy map along a ray (Reinbothe et al. 2009).
 class SamplesTracer final : public GridTracer {
 public:
-    std::string shader_file() const override { return "tracers/samples/samples_tracer.glsl"; }
-    std::vector<ShaderDefine> shader_defines(const Settings& settings) const override;
+    SamplesTracer() : GridTracer("tracers/samples/samples_tracer.glsl", samples_knobs()) {}
 };
 
 std::unique_ptr<Tracer> make_samples_tracer();

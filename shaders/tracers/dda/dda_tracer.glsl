@@ -38,18 +38,7 @@ float dda_walk(GridRay ray) {
     return -1.0;
 }
 
-GridRay dda_ray(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_ray(point, normal, direction, t_max, DDA_NORMAL_OFFSET);
-    grid_escape(ray, DDA_ESCAPE);
-    return ray;
-}
-
-bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    return dda_walk(dda_ray(point, normal, direction, t_max)) >= 0.0;
-}
-
-float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = dda_ray(point, normal, direction, t_max);
-    float t = dda_walk(ray);
-    return t < 0.0 ? -1.0 : grid_distance(ray, t, t_max);
-}
+#define GRID_WALK dda_walk
+#define GRID_NORMAL_OFFSET DDA_NORMAL_OFFSET
+#define GRID_ESCAPE DDA_ESCAPE
+#include "shaders/tracers/occupancy/grid_walk.glsl"

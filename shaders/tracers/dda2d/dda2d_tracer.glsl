@@ -79,18 +79,7 @@ float dda2d_walk(GridRay ray) {
     return -1.0;
 }
 
-GridRay dda2d_ray(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_ray(point, normal, direction, t_max, DDA2D_NORMAL_OFFSET);
-    grid_escape(ray, DDA2D_ESCAPE);
-    return ray;
-}
-
-bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    return dda2d_walk(dda2d_ray(point, normal, direction, t_max)) >= 0.0;
-}
-
-float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = dda2d_ray(point, normal, direction, t_max);
-    float t = dda2d_walk(ray);
-    return t < 0.0 ? -1.0 : grid_distance(ray, t, t_max);
-}
+#define GRID_WALK dda2d_walk
+#define GRID_NORMAL_OFFSET DDA2D_NORMAL_OFFSET
+#define GRID_ESCAPE DDA2D_ESCAPE
+#include "shaders/tracers/occupancy/grid_walk.glsl"
