@@ -87,17 +87,6 @@ glm::vec3 random_direction(std::mt19937& random) {
     return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
 }
 
-BitGrid random_grid(glm::ivec3 size, double probability, std::mt19937& random) {
-    BitGrid grid(size);
-    std::bernoulli_distribution occupied(probability);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                if (occupied(random))
-                    grid.set({x, y, z});
-    return grid;
-}
-
 Texture upload_grid(const BitGrid& grid) {
     const glm::ivec3 texels(grid.size().x, grid.size().y, grid.words_per_column());
     Texture texture("test grid", GL_TEXTURE_3D, GL_R32UI, texels);

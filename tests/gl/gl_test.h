@@ -39,9 +39,6 @@ std::vector<glm::vec3> rectangle(glm::vec3 centre, glm::vec3 normal, float half_
 
 glm::vec3 random_direction(std::mt19937& random);
 
-/// Every cell set with this probability.
-BitGrid random_grid(glm::ivec3 size, double probability, std::mt19937& random);
-
 /// The grid as the occupancy map's texture holds it.
 Texture upload_grid(const BitGrid& grid);
 

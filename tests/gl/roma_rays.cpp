@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "tests/gl/roma_rays.h"
 
+#include "shaders/tracers/roma/concentric.h"
+#include "tests/gl/run_on_rays.h"
+#include "tests/support/random_grid.h"
+
 namespace romascope {
 namespace {
 
@@ -37,47 +41,72 @@ void main() {
 
 } // namespace
 
-std::vector<RomaTestRay> random_roma_rays(std::mt19937& random, const Bounds& bounds, int maps,
-                                          int count) {
+void AlignedMapsTest::align_random_grid(glm::ivec3 size, double density, unsigned seed) {
+    random_.seed(seed);
+    base_ = random_grid(size, density, random_);
+    grid_.size = size;
+    grid_.cell_size = 0.173f;
+    grid_.origin = {-3.7f, 1.1f, 20.0f};
+    bounds_ = {};
+    bounds_.add(grid_.origin);
+    bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(size));
+    const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
+    const GpuScene gpu_scene(any);
+    tracer_.align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_, bounds_);
+}
+
+std::vector<RomaTestRay> AlignedMapsTest::random_rays(int count) {
     std::uniform_real_distribution<float> unit(-0.3f, 1.3f);
     std::uniform_real_distribution<float> reach(0.0f, 1.0f);
-    std::uniform_int_distribution<int> map(0, maps - 1);
+    std::uniform_int_distribution<int> map(0, static_cast<int>(tracer_.candidates().size()) - 1);
     std::vector<RomaTestRay> rays;
     for (int i = 0; i < count; ++i) {
-        const glm::vec3 place(unit(random), unit(random), unit(random));
-        const float diagonal = glm::length(bounds.extent());
+        const glm::vec3 place(unit(random_), unit(random_), unit(random_));
+        const float diagonal = glm::length(bounds_.extent());
         const float t_max = i % 4 == 0    ? std::numeric_limits<float>::infinity()
                             : i % 17 == 0 ? 0.0f
-                                          : diagonal * reach(random) * reach(random);
-        rays.push_back({glm::vec4(bounds.min + place * bounds.extent(), 0.0f),
-                        glm::vec4(random_direction(random), 0.0f),
-                        glm::vec4(random_direction(random), t_max),
-                        {map(random), i % 2, 0, 0}});
+                                          : diagonal * reach(random_) * reach(random_);
+        rays.push_back({glm::vec4(bounds_.min + place * bounds_.extent(), 0.0f),
+                        glm::vec4(random_direction(random_), 0.0f),
+                        glm::vec4(random_direction(random_), t_max),
+                        {map(random_), i % 2, 0, 0}});
     }
     return rays;
 }
 
-std::vector<RomaTestResult> trace_roma_rays(ShaderLibrary& shaders, const RomaTracer& tracer,
-                                            const Settings& settings,
-                                            const std::vector<RomaTestRay>& rays) {
-    shaders.add("test/rays.comp.glsl", kRayShader);
-    const Program program(shaders, {"rays",
-                                    {{GL_COMPUTE_SHADER, "test/rays.comp.glsl"}},
-                                    tracer.shader_defines(settings),
-                                    {{"tracer.glsl", tracer.shader_file()}}});
-    const Buffer in = Buffer::from("rays", std::span(rays));
-    const Buffer out("results", rays.size() * sizeof(RomaTestResult));
-    program.use();
-    program.set("count", static_cast<int>(rays.size()));
-    in.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    out.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    tracer.bind(program);
-    program.dispatch_covering({static_cast<int>(rays.size()), 1, 1});
-    return out.download<RomaTestResult>();
+std::vector<RomaTestResult> AlignedMapsTest::trace(const std::vector<RomaTestRay>& rays) {
+    return run_on_rays<RomaTestResult>(shaders_, tracer_, settings_, kRayShader, rays);
 }
 
-void expect_walks(const std::vector<RomaTestResult>& results, const RomaTracer& tracer,
-                  const std::function<RomaTestWalk(size_t)>& walk) {
+size_t AlignedMapsTest::expect_twins(const std::vector<RomaTestRay>& rays,
+                                     const std::vector<RomaTestResult>& results,
+                                     const RomaTwin& twin) const {
+    size_t hits = 0;
+    EXPECT_EQ(results.size(), rays.size());
+    for (size_t i = 0; i < results.size(); ++i) {
+        const auto& [given, chosen] = results[i];
+        const float expected = twin.distance(rays[i], rays[i].choice.x, rays[i].choice.y != 0);
+        EXPECT_EQ(given.y, expected) << "ray " << i;
+        EXPECT_EQ(given.x != 0.0f, expected >= 0.0f) << "ray " << i;
+        const glm::vec3 direction(rays[i].direction);
+        const int stratum =
+            gpu::stratum_of_direction(direction, settings_.get(kRomaAngularResolution));
+        const bool along = twin.is_forward(stratum, direction);
+        EXPECT_EQ(given.w, twin.distance(rays[i], stratum, along)) << "ray " << i;
+        EXPECT_EQ(given.z != 0.0f, given.w >= 0.0f) << "ray " << i;
+        // The candidate of the walk, turned to the side of the normal.
+        const int walked = static_cast<int>(chosen.x);
+        EXPECT_EQ(chosen.w, twin.distance(rays[i], walked, chosen.y >= 0.0f)) << "ray " << i;
+        EXPECT_EQ(chosen.z != 0.0f, chosen.w >= 0.0f) << "ray " << i;
+        if (testing::Test::HasFailure())
+            break; // one ray says enough
+        hits += expected >= 0.0f;
+    }
+    return hits;
+}
+
+void AlignedMapsTest::expect_walks(const std::vector<RomaTestResult>& results,
+                                   const std::function<RomaTestWalk(size_t)>& walk) const {
     size_t hits = 0, unfinished = 0;
     for (size_t i = 0; i < results.size(); ++i) {
         const RomaTestWalk expected = walk(i);
@@ -89,7 +118,7 @@ void expect_walks(const std::vector<RomaTestResult>& results, const RomaTracer& 
     EXPECT_GT(hits, results.size() / 100);
     EXPECT_LT(hits, results.size());
     // Each ray was traced for any hit and for the closest.
-    const std::vector<NamedCount> counts = tracer.counts();
+    const std::vector<NamedCount> counts = tracer_.counts();
     ASSERT_EQ(counts.size(), 2u);
     EXPECT_EQ(counts[0].count, 2 * results.size());
     EXPECT_EQ(counts[1].count, 2 * unfinished);

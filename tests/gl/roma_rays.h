@@ -20,23 +20,46 @@ struct RomaTestResult {
     glm::vec4 given, chosen;
 };
 
-/// Some start within the bounds, some far outside; reaches from nothing to infinity.
-std::vector<RomaTestRay> random_roma_rays(std::mt19937& random, const Bounds& bounds, int maps,
-                                          int count);
-
-std::vector<RomaTestResult> trace_roma_rays(ShaderLibrary& shaders, const RomaTracer& tracer,
-                                            const Settings& settings,
-                                            const std::vector<RomaTestRay>& rays);
-
 /// What the ray's own direction should give, without snapping.
 struct RomaTestWalk {
     float distance;
     bool unfinished;
 };
 
-/// Results of tracing with roma.snap off, and what was counted, are to the bit what a twin says.
-/// `walk`: the twin, for a ray by its place.
-void expect_walks(const std::vector<RomaTestResult>& results, const RomaTracer& tracer,
-                  const std::function<RomaTestWalk(size_t)>& walk);
+/// What aligned maps on the CPU say, to the bit.
+struct RomaTwin {
+    /// Distance of the closest hit along a map's direction or against it; -1 for a miss.
+    std::function<float(const RomaTestRay& ray, int map, bool forward)> distance;
+    std::function<bool(int map, glm::vec3 direction)> is_forward;
+};
+
+/// A random base map, aligned by any alignment, and rays through it.
+class AlignedMapsTest : public GlTest {
+protected:
+    /// Draws a base map, and has `tracer_` align it by the settings.
+    void align_random_grid(glm::ivec3 size, double density, unsigned seed);
+
+    /// Some start within the bounds, some far outside; reaches from nothing to infinity.
+    std::vector<RomaTestRay> random_rays(int count);
+
+    std::vector<RomaTestResult> trace(const std::vector<RomaTestRay>& rays);
+
+    /// Results are to the bit those of the twin, and so are those of the snapped direction and of
+    /// the candidate of the walk. Gives how many rays hit along the candidate in `choice`.
+    size_t expect_twins(const std::vector<RomaTestRay>& rays,
+                        const std::vector<RomaTestResult>& results, const RomaTwin& twin) const;
+
+    /// Results of tracing with roma.snap off, and what was counted, are to the bit what a twin
+    /// says. `walk`: the twin, for a ray by its place.
+    void expect_walks(const std::vector<RomaTestResult>& results,
+                      const std::function<RomaTestWalk(size_t)>& walk) const;
+
+    std::mt19937 random_;
+    Settings settings_{all_knobs()};
+    BitGrid base_;
+    OccupancyGrid grid_;
+    Bounds bounds_;
+    RomaTracer tracer_;
+};
 
 } // namespace romascope

@@ -2,7 +2,6 @@
 // The rotation and its tracing: GPU against the CPU twin, bit for bit, and both against a walk in
 // double precision that shares no code with them.
 #include "renderer/tracers/roma/walk_cpu.h"
-#include "shaders/tracers/roma/concentric.h"
 #include "tests/gl/roma_rays.h"
 
 #include <algorithm>
@@ -18,34 +17,16 @@ struct Case {
     double density;
 };
 
-class RomaTest : public GlTest {
+class RomaTest : public AlignedMapsTest {
 protected:
     void prepare(const Case& c, unsigned seed) {
-        random_.seed(seed);
         settings_.set(kOccupancyResolution, c.side);
         settings_.set(kRomaAngularResolution, c.angular);
-        base_ = random_grid(c.size, c.density, random_);
-        grid_.size = c.size;
-        grid_.cell_size = 0.173f;
-        grid_.origin = {-3.7f, 1.1f, 20.0f};
-        bounds_ = {};
-        bounds_.add(grid_.origin);
-        bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(c.size));
-        const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
-        const GpuScene gpu_scene(any);
-        tracer_ = std::make_unique<RomaTracer>();
-        tracer_->align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
-                       bounds_);
-        for (const gpu::RomaDirection& direction : tracer_->rotation().directions())
+        tracer_ = RomaTracer();
+        align_random_grid(c.size, c.density, seed);
+        maps_.clear();
+        for (const gpu::RomaDirection& direction : tracer_.rotation().directions())
             maps_.push_back(rotate_on_cpu(base_, direction, c.side));
-    }
-
-    std::vector<RomaTestRay> random_rays(int count) {
-        return random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), count);
-    }
-
-    std::vector<RomaTestResult> trace_on_gpu(const std::vector<RomaTestRay>& rays) {
-        return trace_roma_rays(shaders_, *tracer_, settings_, rays);
     }
 
     gpu::RomaRay on_cpu(const RomaTestRay& ray, int map, bool forward) const {
@@ -61,12 +42,6 @@ protected:
         return hit ? *hit * aligned.direction.row_v.w : -1.0f;
     }
 
-    std::mt19937 random_;
-    Settings settings_{all_knobs()};
-    BitGrid base_;
-    OccupancyGrid grid_;
-    Bounds bounds_;
-    std::unique_ptr<RomaTracer> tracer_;
     std::vector<AlignedMap> maps_;
 };
 
@@ -76,7 +51,7 @@ TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
     prepare(GetParam(), 11);
     size_t set = 0;
     for (size_t i = 0; i < maps_.size(); ++i) {
-        const std::vector<uint32_t> words = tracer_->rotation().download_map(static_cast<int>(i));
+        const std::vector<uint32_t> words = tracer_.rotation().download_map(static_cast<int>(i));
         ASSERT_EQ(words.size(), maps_[i].words.size());
         EXPECT_EQ(words, maps_[i].words) << "map " << i;
         for (const uint32_t word : words)
@@ -88,27 +63,20 @@ TEST_P(RomaCases, RotationEqualsItsTwinBitForBit) {
 TEST_P(RomaCases, TracingEqualsItsTwinBitForBit) {
     prepare(GetParam(), 12);
     const std::vector<RomaTestRay> rays = random_rays(20000);
-    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
-    size_t hits = 0;
+    const std::vector<RomaTestResult> results = trace(rays);
+    const RomaTwin twin{[&](const RomaTestRay& ray, int map, bool forward) {
+                            return distance_on_cpu(ray, map, forward);
+                        },
+                        [&](int map, glm::vec3 direction) {
+                            return gpu::roma_is_forward(maps_[static_cast<size_t>(map)].direction,
+                                                        direction);
+                        }};
+    const size_t hits = expect_twins(rays, results, twin);
     for (size_t i = 0; i < rays.size(); ++i) {
         const int map = rays[i].choice.x;
-        const bool forward = rays[i].choice.y != 0;
-        const bool hit =
-            any_hit_on_cpu(maps_[static_cast<size_t>(map)], on_cpu(rays[i], map, forward));
-        const auto& [given, chosen] = results[i];
-        ASSERT_EQ(given.x != 0.0f, hit) << "ray " << i;
-        ASSERT_EQ(given.y, distance_on_cpu(rays[i], map, forward)) << "ray " << i;
-        const glm::vec3 direction(rays[i].direction);
-        const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
-        const bool along =
-            gpu::roma_is_forward(maps_[static_cast<size_t>(stratum)].direction, direction);
-        ASSERT_EQ(given.w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
-        ASSERT_EQ(given.z != 0.0f, given.w >= 0.0f) << "ray " << i;
-        // The candidate of the walk, turned to the side of the normal.
-        const int walked = static_cast<int>(chosen.x);
-        ASSERT_EQ(chosen.w, distance_on_cpu(rays[i], walked, chosen.y >= 0.0f)) << "ray " << i;
-        ASSERT_EQ(chosen.z != 0.0f, chosen.w >= 0.0f) << "ray " << i;
-        hits += hit;
+        const bool hit = any_hit_on_cpu(maps_[static_cast<size_t>(map)],
+                                        on_cpu(rays[i], map, rays[i].choice.y != 0));
+        ASSERT_EQ(results[i].given.x != 0.0f, hit) << "ray " << i;
     }
     EXPECT_GT(hits, rays.size() / 20);
     EXPECT_LT(hits, rays.size() * 19 / 20);
@@ -166,7 +134,7 @@ std::optional<double> walk(const BitGrid& base, const OccupancyGrid& grid, glm::
 TEST_P(RomaCases, AWalkInDoublePrecisionConfirmsHitsAndDistances) {
     prepare(GetParam(), 13);
     const std::vector<RomaTestRay> rays = random_rays(20000);
-    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
+    const std::vector<RomaTestResult> results = trace(rays);
     const double longest_turn =
         glm::length(glm::dvec3(bounds_.extent()) + 2.0 * grid_.cell_size) / GetParam().side;
     const double offset = settings_.get(kRomaNormalOffset) * longest_turn;
@@ -197,7 +165,7 @@ TEST_P(RomaCases, EscapingRaysEqualTheirTwinBitForBit) {
     settings_.set(kRomaEscape, 3);
     prepare(GetParam(), 15);
     const std::vector<RomaTestRay> rays = random_rays(5000);
-    const std::vector<RomaTestResult> results = trace_on_gpu(rays);
+    const std::vector<RomaTestResult> results = trace(rays);
     size_t escaped = 0;
     for (size_t i = 0; i < rays.size(); ++i) {
         const AlignedMap& map = maps_[static_cast<size_t>(rays[i].choice.x)];
@@ -216,10 +184,9 @@ TEST_P(RomaCases, UnsnappedRaysEqualTheirTwinBitForBit) {
         const int escape = iterations % 3;
         settings_.set(kRomaIterations, iterations);
         settings_.set(kRomaEscape, escape);
-        maps_.clear();
         prepare(GetParam(), 14);
         const std::vector<RomaTestRay> rays = random_rays(4000);
-        expect_walks(trace_on_gpu(rays), *tracer_, [&](size_t i) {
+        expect_walks(trace(rays), [&](size_t i) {
             const glm::vec3 direction(rays[i].direction);
             const auto& map = *std::ranges::min_element(maps_, {}, [&](const AlignedMap& one) {
                 return gpu::roma_crossings(gpu::roma_turned(one.direction, direction));
@@ -245,13 +212,11 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST_F(RomaTest, TheSameSeedGivesTheSameMaps) {
     prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
-    const std::vector<uint32_t> first = tracer_->rotation().download_map(3);
-    maps_.clear();
+    const std::vector<uint32_t> first = tracer_.rotation().download_map(3);
     prepare({{40, 30, 20}, 40, 4, 0.05}, 5);
-    EXPECT_EQ(tracer_->rotation().download_map(3), first);
-    maps_.clear();
+    EXPECT_EQ(tracer_.rotation().download_map(3), first);
     prepare({{40, 30, 20}, 40, 4, 0.05}, 6);
-    EXPECT_NE(tracer_->rotation().download_map(3), first);
+    EXPECT_NE(tracer_.rotation().download_map(3), first);
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // Alignment by shear and its tracing: GPU against the CPU twin, bit for bit.
 // tests/unit/test_shear.cpp has the twin against walks in double precision.
 #include "renderer/tracers/roma/walk_cpu.h"
-#include "shaders/tracers/roma/concentric.h"
 #include "tests/gl/roma_rays.h"
 
 #include <algorithm>
@@ -17,26 +16,15 @@ struct Case {
     double density;
 };
 
-class ShearTest : public GlTest {
+class ShearTest : public AlignedMapsTest {
 protected:
     ShearTest() { settings_.set(kRomaAlignment, RomaAlignment::shear); }
 
     void prepare(const Case& c, unsigned seed) {
-        random_.seed(seed);
         settings_.set(kOccupancyResolution, c.side);
         settings_.set(kRomaAngularResolution, c.angular);
         settings_.set(kRomaTaps, c.taps);
-        base_ = random_grid(c.size, c.density, random_);
-        grid_.size = c.size;
-        grid_.cell_size = 0.173f;
-        grid_.origin = {-3.7f, 1.1f, 20.0f};
-        bounds_ = {};
-        bounds_.add(grid_.origin);
-        bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(c.size));
-        const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
-        const GpuScene gpu_scene(any);
-        tracer_.align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_,
-                      bounds_);
+        align_random_grid(c.size, c.density, seed);
         maps_.clear();
         for (size_t map = 0; map < shears().maps.size(); ++map)
             maps_.push_back(shear_on_cpu(base_, shears(), map, c.taps));
@@ -53,12 +41,6 @@ protected:
         return hit ? *hit * sheared.map.scale.w : -1.0f;
     }
 
-    std::mt19937 random_;
-    Settings settings_{all_knobs()};
-    BitGrid base_;
-    OccupancyGrid grid_;
-    Bounds bounds_;
-    RomaTracer tracer_;
     std::vector<ShearedMap> maps_;
 };
 
@@ -92,28 +74,16 @@ TEST_P(ShearCases, TracingEqualsItsTwinBitForBit) {
     for (const int escape : {0, 2}) {
         settings_.set(kRomaEscape, escape);
         prepare(GetParam(), 12);
-        const std::vector<RomaTestRay> rays =
-            random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), 10000);
-        const std::vector<RomaTestResult> results =
-            trace_roma_rays(shaders_, tracer_, settings_, rays);
-        size_t hits = 0;
-        for (size_t i = 0; i < rays.size(); ++i) {
-            const auto& [given, chosen] = results[i];
-            const float expected = distance_on_cpu(rays[i], rays[i].choice.x, rays[i].choice.y);
-            ASSERT_EQ(given.y, expected) << "ray " << i;
-            ASSERT_EQ(given.x != 0.0f, expected >= 0.0f) << "ray " << i;
-            const glm::vec3 direction(rays[i].direction);
-            const int stratum = gpu::stratum_of_direction(direction, GetParam().angular);
-            const bool along =
-                gpu::shear_is_forward(maps_[static_cast<size_t>(stratum)].map, direction);
-            ASSERT_EQ(given.w, distance_on_cpu(rays[i], stratum, along)) << "ray " << i;
-            ASSERT_EQ(given.z != 0.0f, given.w >= 0.0f) << "ray " << i;
-            // The candidate of the walk, turned to the side of the normal.
-            const int walked = static_cast<int>(chosen.x);
-            ASSERT_EQ(chosen.w, distance_on_cpu(rays[i], walked, chosen.y >= 0.0f)) << "ray " << i;
-            ASSERT_EQ(chosen.z != 0.0f, chosen.w >= 0.0f) << "ray " << i;
-            hits += expected >= 0.0f;
-        }
+        const std::vector<RomaTestRay> rays = random_rays(10000);
+        const std::vector<RomaTestResult> results = trace(rays);
+        const RomaTwin twin{[&](const RomaTestRay& ray, int map, bool forward) {
+                                return distance_on_cpu(ray, map, forward);
+                            },
+                            [&](int map, glm::vec3 direction) {
+                                return gpu::shear_is_forward(maps_[static_cast<size_t>(map)].map,
+                                                             direction);
+                            }};
+        const size_t hits = expect_twins(rays, results, twin);
         EXPECT_GT(hits, rays.size() / 30);
         EXPECT_LT(hits, rays.size() * 19 / 20);
     }
@@ -126,9 +96,8 @@ TEST_P(ShearCases, UnsnappedRaysEqualTheirTwinBitForBit) {
         settings_.set(kRomaIterations, iterations);
         settings_.set(kRomaEscape, escape);
         prepare(GetParam(), 14);
-        const std::vector<RomaTestRay> rays =
-            random_roma_rays(random_, bounds_, static_cast<int>(maps_.size()), 4000);
-        expect_walks(trace_roma_rays(shaders_, tracer_, settings_, rays), tracer_, [&](size_t i) {
+        const std::vector<RomaTestRay> rays = random_rays(4000);
+        expect_walks(trace(rays), [&](size_t i) {
             const glm::vec3 direction(rays[i].direction);
             const auto& map = *std::ranges::min_element(maps_, {}, [&](const ShearedMap& one) {
                 return gpu::roma_crossings(gpu::shear_turned_direction(one.map, direction));

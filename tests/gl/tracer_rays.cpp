@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/gl/tracer_rays.h"
 
+#include "tests/gl/run_on_rays.h"
+
 namespace romascope {
 namespace {
 
@@ -26,20 +28,7 @@ void main() {
 
 std::vector<glm::vec2> trace_rays(ShaderLibrary& shaders, const Tracer& tracer,
                                   const Settings& settings, const std::vector<TestRay>& rays) {
-    shaders.add("test/tracer.comp.glsl", kRayShader);
-    const Program program(shaders, {"rays",
-                                    {{GL_COMPUTE_SHADER, "test/tracer.comp.glsl"}},
-                                    tracer.shader_defines(settings),
-                                    {{"tracer.glsl", tracer.shader_file()}}});
-    const Buffer in = Buffer::from("rays", std::span(rays));
-    const Buffer out("results", rays.size() * sizeof(glm::vec2));
-    program.use();
-    program.set("count", static_cast<int>(rays.size()));
-    in.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    out.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    tracer.bind(program);
-    program.dispatch_covering({static_cast<int>(rays.size()), 1, 1});
-    return out.download<glm::vec2>();
+    return run_on_rays<glm::vec2>(shaders, tracer, settings, kRayShader, rays);
 }
 
 } // namespace romascope

@@ -3,6 +3,7 @@
 // finds, and rays hit what they would in the base map. The expectations are worked out in double
 // precision, by code of their own; slopes are multiples of 2^-15, which doubles hold exactly.
 #include "renderer/tracers/roma/shear_cpu.h"
+#include "tests/support/random_grid.h"
 
 #include <gtest/gtest.h>
 
@@ -43,17 +44,6 @@ glm::ivec3 any_size(std::mt19937& random) {
     return {side(), side(), side()};
 }
 
-BitGrid any_grid(glm::ivec3 size, double density, std::mt19937& random) {
-    BitGrid grid(size);
-    std::bernoulli_distribution occupied(density);
-    for (int z = 0; z < size.z; ++z)
-        for (int y = 0; y < size.y; ++y)
-            for (int x = 0; x < size.x; ++x)
-                if (occupied(random))
-                    grid.set({x, y, z});
-    return grid;
-}
-
 /// A random map and what a reader needs to check it by.
 struct Sample {
     OccupancyGrid grid;
@@ -70,7 +60,7 @@ struct Sample {
         grid.size = any_size(random);
         grid.cell_size = 0.173f;
         grid.origin = {-3.7f, 1.1f, 20.0f};
-        base = any_grid(grid.size, 0.02 + 0.2 * static_cast<double>(random() % 4), random);
+        base = random_grid(grid.size, 0.02 + 0.2 * static_cast<double>(random() % 4), random);
         const glm::dvec3 directions[] = {direction};
         sheared = shear_on_cpu(base, shear_frame(directions, grid, taps, 1, 0.0), 0, taps);
         slope = glm::dvec2(sheared.map.slope) / 32768.0;
@@ -356,7 +346,7 @@ TEST(Shear, ARowReadsOnWithoutABreakFromAnyPlace) {
     for (int trial = 0; trial < 100; ++trial) {
         const glm::ivec3 size = any_size(random);
         const int guard = trial % 2;
-        const BitGrid base = any_grid(size, 0.4, random);
+        const BitGrid base = random_grid(size, 0.4, random);
         const ShearPackings packings = shear_packings(size, guard);
         const std::vector<uint32_t> words = pack_on_cpu(base, packings);
         for (int axis = 0; axis < 3; ++axis) {

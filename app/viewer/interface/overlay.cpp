@@ -20,12 +20,10 @@ constexpr size_t kMostShown = 6;
 constexpr float kWidth = 42.0f;
 constexpr float kLeastWidth = 16.0f;
 
-ImVec4 color(const float (&c)[4]) { return {c[0], c[1], c[2], c[3]}; }
-
 ImVec4 color_of(Severity severity) {
     if (severity == Severity::error)
-        return color(kErrorColor);
-    return severity == Severity::notice ? color(kAccent) : ImGui::GetStyleColorVec4(ImGuiCol_Text);
+        return kErrorColor;
+    return severity == Severity::notice ? kAccent : ImGui::GetStyleColorVec4(ImGuiCol_Text);
 }
 
 } // namespace
@@ -126,7 +124,7 @@ void draw_help(bool& open, UiMap& map) {
         const auto row = [](std::string_view name, std::string_view help) {
             ImGui::TableNextRow();
             ImGui::TableNextColumn();
-            ImGui::TextColored(color(kAccent), "%.*s", static_cast<int>(name.size()), name.data());
+            ImGui::TextColored(kAccent, "%.*s", static_cast<int>(name.size()), name.data());
             ImGui::TableNextColumn();
             ImGui::TextUnformatted(help.data(), help.data() + help.size());
         };

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/interface/rows.h"
 
-#include <imgui.h>
 #include <imgui_internal.h>
 
 #include <cmath>
@@ -47,9 +46,8 @@ bool begin_row(std::string_view label, bool marked) {
     ImGui::TableNextRow();
     ImGui::TableNextColumn();
     ImGui::AlignTextToFramePadding();
-    const ImVec4 color = marked ? ImVec4(kAccent[0], kAccent[1], kAccent[2], kAccent[3])
-                                : ImGui::GetStyleColorVec4(ImGuiCol_Text);
-    ImGui::PushStyleColor(ImGuiCol_Text, color);
+    ImGui::PushStyleColor(ImGuiCol_Text,
+                          marked ? kAccent : ImGui::GetStyleColorVec4(ImGuiCol_Text));
     ImGui::TextUnformatted(label.data(), label.data() + label.size());
     ImGui::PopStyleColor();
     const bool hovered = ImGui::IsItemHovered();
@@ -67,9 +65,8 @@ bool reset_button(const std::string& id) {
         ImGui::GetWindowDrawList()->AddRectFilled(low, ImGui::GetItemRectMax(),
                                                   ImGui::GetColorU32(ImGuiCol_ButtonHovered),
                                                   ImGui::GetStyle().FrameRounding);
-    const ImVec4 color(kAccent[0], kAccent[1], kAccent[2], kAccent[3]);
     draw_turn_back({low.x + size * 0.5f, low.y + size * 0.5f}, size * 0.26f,
-                   hovered ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(color));
+                   hovered ? ImGui::GetColorU32(ImGuiCol_Text) : ImGui::GetColorU32(kAccent));
     return pressed;
 }
 

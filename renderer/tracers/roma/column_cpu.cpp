@@ -15,10 +15,6 @@ gpu::RomaSpan escaped_on_cpu(std::span<const uint32_t> column, gpu::RomaSpan cel
     return gpu::roma_escaped(cells, run, forward);
 }
 
-bool any_hit_in_column(std::span<const uint32_t> column, const gpu::RomaSpan& cells) {
-    return closest_hit_in_column(column, cells, true).has_value();
-}
-
 std::optional<int> closest_hit_in_column(std::span<const uint32_t> column,
                                          const gpu::RomaSpan& cells, bool forward) {
     const int count = static_cast<int>(column.size());

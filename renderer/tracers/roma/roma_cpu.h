@@ -6,7 +6,6 @@
 #include "renderer/tracers/roma/aligned_box.h"
 #include "renderer/tracers/roma/column_cpu.h"
 
-#include <optional>
 #include <vector>
 
 namespace romascope {
@@ -18,18 +17,13 @@ struct AlignedMap {
     std::vector<uint32_t> words;
 
     int words_per_column() const { return (side + 31) / 32; }
-    const uint32_t* column(glm::ivec2 place) const {
-        return &words[(static_cast<size_t>(place.y) * side + place.x) * words_per_column()];
+    std::span<const uint32_t> column(glm::ivec2 place) const {
+        const auto count = static_cast<size_t>(words_per_column());
+        return std::span(words).subspan((static_cast<size_t>(place.y) * side + place.x) * count,
+                                        count);
     }
 };
 
 AlignedMap rotate_on_cpu(const BitGrid& base, const gpu::RomaDirection& direction, int side);
-
-/// `escape`: occupied cells that are skipped at the start of the ray.
-bool any_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray, int escape = 0);
-
-/// Distance in cells from the surface; nothing for a miss.
-std::optional<float> closest_hit_on_cpu(const AlignedMap& map, const gpu::RomaRay& ray,
-                                        int escape = 0);
 
 } // namespace romascope

@@ -64,20 +64,4 @@ ShearedMap shear_on_cpu(const BitGrid& base, const ShearFrame& frame, size_t map
     return sheared;
 }
 
-bool any_hit_on_cpu(const ShearedMap& map, const gpu::RomaRay& ray, int escape) {
-    return closest_hit_on_cpu(map, ray, escape).has_value();
-}
-
-std::optional<float> closest_hit_on_cpu(const ShearedMap& map, const gpu::RomaRay& ray,
-                                        int escape) {
-    if (ray.span.first > ray.span.last)
-        return std::nullopt;
-    const std::span<const uint32_t> column = map.column(ray.span.column);
-    const gpu::RomaSpan cells = escaped_on_cpu(column, ray.span, ray.forward, escape);
-    const std::optional<int> slice = closest_hit_in_column(column, cells, ray.forward);
-    if (!slice)
-        return std::nullopt;
-    return gpu::roma_hit_distance(*slice, ray.surface, ray.forward);
-}
-
 } // namespace romascope

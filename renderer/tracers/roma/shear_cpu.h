@@ -27,10 +27,4 @@ std::vector<uint32_t> pack_on_cpu(const BitGrid& base, const ShearPackings& pack
 /// Map `map` of a frame.
 ShearedMap shear_on_cpu(const BitGrid& base, const ShearFrame& frame, size_t map, int taps);
 
-bool any_hit_on_cpu(const ShearedMap& map, const gpu::RomaRay& ray, int escape = 0);
-
-/// Distance in slices from the surface; nothing for a miss.
-std::optional<float> closest_hit_on_cpu(const ShearedMap& map, const gpu::RomaRay& ray,
-                                        int escape = 0);
-
 } // namespace romascope

@@ -44,9 +44,7 @@ WalkResult walk_on_cpu(const AlignedMap& map, const gpu::RomaWalk& walk, int ite
     return walk_columns(
         walk, iterations, escape, map.side,
         [&](gpu::RomaSpan span) { return gpu::roma_in_box(span, map.side); },
-        [&](glm::ivec2 place) {
-            return std::span(map.column(place), static_cast<size_t>(map.words_per_column()));
-        });
+        [&](glm::ivec2 place) { return map.column(place); });
 }
 
 WalkResult walk_on_cpu(const ShearedMap& map, const gpu::RomaWalk& walk, int iterations,

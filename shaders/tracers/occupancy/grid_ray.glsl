@@ -113,5 +113,12 @@ void grid_escape(inout GridRay ray, int limit) {
     }
 }
 
+/// A ray that leaves its own surface: moved along the normal, then past cells.
+GridRay grid_leaving_ray(vec3 point, vec3 normal, vec3 direction, float t_max, float offset, int escape) {
+    GridRay ray = grid_ray(point, normal, direction, t_max, offset);
+    grid_escape(ray, escape);
+    return ray;
+}
+
 /// Distance from the surface to where the ray is at `t`, metres, within [0, t_max].
 float grid_distance(GridRay ray, float t, float t_max) { return clamp((t + ray.moved) * metres_per_cell, 0.0, t_max); }

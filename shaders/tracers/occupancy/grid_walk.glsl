@@ -7,18 +7,12 @@
 //        GRID_NORMAL_OFFSET, GRID_ESCAPE: cells
 #include "shaders/tracers/occupancy/grid_ray.glsl"
 
-GridRay grid_leaving_ray(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_ray(point, normal, direction, t_max, GRID_NORMAL_OFFSET);
-    grid_escape(ray, GRID_ESCAPE);
-    return ray;
-}
-
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    return GRID_WALK(grid_leaving_ray(point, normal, direction, t_max)) >= 0.0;
+    return GRID_WALK(grid_leaving_ray(point, normal, direction, t_max, GRID_NORMAL_OFFSET, GRID_ESCAPE)) >= 0.0;
 }
 
 float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_leaving_ray(point, normal, direction, t_max);
+    GridRay ray = grid_leaving_ray(point, normal, direction, t_max, GRID_NORMAL_OFFSET, GRID_ESCAPE);
     float t = GRID_WALK(ray);
     return t < 0.0 ? -1.0 : grid_distance(ray, t, t_max);
 }
