@@ -22,6 +22,13 @@ inline std::string error_of(const std::function<void()>& action) {
     return {};
 }
 
+/// Likewise, but throwing none is a failure.
+inline std::string expect_error(const std::function<void()>& action) {
+    const std::string text = error_of(action);
+    EXPECT_FALSE(text.empty()) << "no Error";
+    return text;
+}
+
 } // namespace romascope
 
 #define EXPECT_CONTAINS(text, part)                                                                \

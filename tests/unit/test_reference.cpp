@@ -3,82 +3,18 @@
 // has standard deviation sqrt(p (1 - p) / n) if they are independent; ours are stratified, so
 // theirs is smaller. Five of those plus the error of the triangles is therefore never exceeded by
 // chance, and at n = 2^18 it is still only 0.005.
-#include "renderer/base/error.h"
-#include "renderer/reference/ao_reference.h"
 #include "renderer/reference/ao_tracer.h"
-#include "renderer/reference/cache.h"
 #include "renderer/reference/sampling.h"
+#include "tests/support/reference_fixture.h"
 
-#include <glm/gtc/constants.hpp>
 #include <glm/gtc/quaternion.hpp>
-#include <gtest/gtest.h>
 
-#include <algorithm>
-#include <array>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
-#include <functional>
-#include <limits>
 #include <random>
-#include <thread>
-#include <unistd.h>
 
 namespace romascope {
 namespace {
 
-namespace fs = std::filesystem;
-constexpr float kInfinite = std::numeric_limits<float>::infinity();
 constexpr int kRays = 1 << 18;
-const glm::vec3 kUp(0.0f, 1.0f, 0.0f);
-
-/// Of a material that is seen from both sides.
-void add_triangle(Scene& scene, const std::array<glm::vec3, 3>& corners,
-                  const std::array<glm::vec3, 3>& normals) {
-    if (scene.materials.empty())
-        scene.materials.push_back({.double_sided = true});
-    for (size_t i = 0; i < 3; ++i) {
-        scene.indices.push_back(static_cast<uint32_t>(scene.positions.size()));
-        scene.positions.push_back(corners[i]);
-        scene.normals.push_back(normals[i]);
-        scene.vertex_material.push_back(0);
-        scene.bounds.add(corners[i]);
-    }
-}
-
-/// A parallelogram of 2 k² triangles.
-void add_quad(Scene& scene, glm::vec3 corner, glm::vec3 u, glm::vec3 v, int k = 1) {
-    const glm::vec3 normal = glm::normalize(glm::cross(u, v));
-    const auto at = [&](int i, int j) {
-        return corner + u * (static_cast<float>(i) / static_cast<float>(k)) +
-               v * (static_cast<float>(j) / static_cast<float>(k));
-    };
-    for (int j = 0; j < k; ++j)
-        for (int i = 0; i < k; ++i) {
-            add_triangle(scene, {at(i, j), at(i + 1, j), at(i + 1, j + 1)},
-                         {normal, normal, normal});
-            add_triangle(scene, {at(i, j), at(i + 1, j + 1), at(i, j + 1)},
-                         {normal, normal, normal});
-        }
-}
-
-/// A square floor at y = 0, and a camera's worth of room around it.
-Scene floor_scene(float half) {
-    Scene scene;
-    add_quad(scene, {-half, 0.0f, half}, {2.0f * half, 0.0f, 0.0f}, {0.0f, 0.0f, -2.0f * half});
-    return scene;
-}
-
-/// A disc of `sides` sides, parallel to the floor; 4096 sides miss the circle's area by 4e-7.
-void add_disc(Scene& scene, glm::vec3 centre, float radius, int sides = 4096) {
-    const auto rim = [&](int i) {
-        const double angle = 2.0 * glm::pi<double>() * i / sides;
-        return centre + radius * glm::vec3(std::cos(angle), 0.0, std::sin(angle));
-    };
-    for (int i = 0; i < sides; ++i)
-        add_triangle(scene, {centre, rim(i), rim(i + 1)}, {kUp, kUp, kUp});
-}
 
 void add_sphere(Scene& scene, glm::vec3 centre, float radius, int rings) {
     const auto unit = [&](int ring, int segment) {
@@ -97,8 +33,6 @@ void add_sphere(Scene& scene, glm::vec3 centre, float radius, int rings) {
         }
 }
 
-double tolerance(double p, double rays) { return 5.0 * std::sqrt(p * (1.0 - p) / rays) + 1e-4; }
-
 const Lattice& many_rays() {
     static const Lattice lattice(kRays);
     return lattice;
@@ -109,48 +43,6 @@ Estimate on_floor(const AoTracer& tracer, glm::vec2 at, float radius = kInfinite
     const auto hit = tracer.closest({at.x, 1e-2f, at.y}, -kUp);
     EXPECT_TRUE(hit);
     return tracer.ambient_occlusion(hit->origin, hit->normal, radius, many_rays(), seed);
-}
-
-/// Its own cache folder for each test, so that they may run side by side and in any order.
-class Reference : public testing::Test {
-protected:
-    void SetUp() override {
-        const auto* info = testing::UnitTest::GetInstance()->current_test_info();
-        folder_ = fs::temp_directory_path() /
-                  (std::string("romascope_") + info->name() + std::to_string(getpid()));
-        fs::create_directories(folder_);
-        setenv("XDG_CACHE_HOME", folder_.c_str(), 1);
-    }
-    void TearDown() override { fs::remove_all(folder_); }
-
-    std::vector<fs::path> cache_files() const {
-        std::vector<fs::path> files;
-        if (fs::exists(folder_ / "romascope" / "reference"))
-            for (const auto& entry : fs::directory_iterator(folder_ / "romascope" / "reference"))
-                files.push_back(entry.path());
-        return files;
-    }
-    fs::path folder_;
-};
-
-/// A floor with a disc above it, looked at from between the two, horizon in the picture.
-struct DiscView {
-    Scene scene = floor_scene(20.0f);
-    AoQuery query;
-
-    DiscView() {
-        add_disc(scene, {0.0f, 2.0f, 0.0f}, 1.0f);
-        query.camera = look_at("view", {0.0f, 1.5f, 4.0f}, {0.0f, 0.3f, 0.0f}, 1.0f);
-        query.size = {37, 23};
-        query.samples = 16;
-    }
-};
-
-/// Part of the sky that a disc of radius r at height h hides from a floor point at distance d from
-/// below its centre (view factor from a small element to a parallel disc).
-double disc_share(double r, double h, double d) {
-    const double all = d * d + h * h + r * r;
-    return 0.5 * (1.0 - (all - 2.0 * r * r) / std::sqrt(all * all - 4.0 * d * d * r * r));
 }
 
 TEST_F(Reference, open_plane_is_exactly_one) {
@@ -332,212 +224,6 @@ TEST_F(Reference, few_samples_are_unbiased_over_seeds) {
         EXPECT_NEAR(sum / seeds, 1.0 - hidden, tolerance(hidden, double{seeds} * samples))
             << samples << " samples";
     }
-}
-
-TEST_F(Reference, picture_agrees_with_the_closed_form) {
-    DiscView view;
-    view.query.samples = 1024;
-    const AoReference result = ambient_occlusion_reference(view.scene, view.query);
-    double z_sum = 0.0;
-    int floor_pixels = 0, background = 0;
-    for (int y = 0; y < view.query.size.y; ++y)
-        for (int x = 0; x < view.query.size.x; ++x) {
-            const Camera& camera = view.query.camera;
-            const glm::vec3 way = camera.direction_through(glm::vec2(x, y) + 0.5f, view.query.size);
-            const float seen = result.visibility.at(x, y, 0);
-            const glm::vec3 point = camera.eye - way * (camera.eye.y / way.y);
-            if (way.y >= 0.0f || std::abs(point.x) > 20.0f || std::abs(point.z) > 20.0f) {
-                if (way.y <= 0.0f) {
-                    EXPECT_EQ(seen, 1.0f);
-                    ++background;
-                }
-                continue;
-            }
-            ++floor_pixels;
-            const double hidden = disc_share(1.0, 2.0, std::hypot(point.x, point.z));
-            EXPECT_NEAR(seen, 1.0 - hidden, tolerance(hidden, 1024)) << x << ' ' << y;
-            z_sum += (seen - (1.0 - hidden)) / std::sqrt(hidden * (1.0 - hidden) / 1024);
-        }
-    EXPECT_GT(floor_pixels, 400);
-    EXPECT_GT(background, 10);
-    // Independent pixels: their mean z has deviation 1 / sqrt(n) at most.
-    EXPECT_LT(std::abs(z_sum / floor_pixels), 5.0 / std::sqrt(floor_pixels));
-}
-
-TEST_F(Reference, jittered_pixels_average_finer_ones) {
-    DiscView view;
-    view.query.size = {12, 8};
-    view.query.samples = 4096;
-    view.query.pixel_jitter = true;
-    const Image jittered = ambient_occlusion_reference(view.scene, view.query).visibility;
-    AoQuery fine = view.query;
-    fine.pixel_jitter = false;
-    fine.size *= 16;
-    fine.samples = 32;
-    const Image finer = ambient_occlusion_reference(view.scene, fine).visibility;
-    for (int y = 0; y < 8; ++y)
-        for (int x = 0; x < 12; ++x) {
-            double mean = 0.0;
-            for (int j = 0; j < 16; ++j)
-                for (int i = 0; i < 16; ++i)
-                    mean += finer.at(16 * x + i, 16 * y + j, 0) / 256.0;
-            // 4096 samples deviate by 0.008 at most, a straight edge through 16 rows adds 1/64.
-            EXPECT_NEAR(jittered.at(x, y, 0), mean, 5.0 * 0.008 + 0.016) << x << ' ' << y;
-        }
-}
-
-TEST_F(Reference, result_does_not_depend_on_threads) {
-    DiscView view;
-    view.query.size = {100, 61};
-    for (const bool jitter : {false, true}) {
-        view.query.pixel_jitter = jitter;
-        const auto with = [&](int threads) {
-            return ambient_occlusion_reference(view.scene, view.query, {}, {false, threads})
-                .visibility.data;
-        };
-        const auto one = with(1);
-        EXPECT_EQ(one, with(2));
-        EXPECT_EQ(one, with(7));
-        EXPECT_EQ(one, with(0));
-        view.query.seed += 1;
-        EXPECT_NE(one, with(2));
-    }
-}
-
-TEST_F(Reference, progress_rises_to_one_on_the_callers_thread) {
-    DiscView view;
-    view.query.size = {200, 200};
-    view.query.samples = 1;
-    double last = 0.0;
-    int calls = 0;
-    const auto caller = std::this_thread::get_id();
-    const auto watch = [&](double fraction) {
-        EXPECT_EQ(std::this_thread::get_id(), caller);
-        EXPECT_GE(fraction, last);
-        EXPECT_LE(fraction, 1.0);
-        last = fraction;
-        ++calls;
-    };
-    ambient_occlusion_reference(view.scene, view.query, watch, {false, 3});
-    EXPECT_EQ(last, 1.0);
-    EXPECT_GT(calls, 2);
-    EXPECT_THROW(ambient_occlusion_reference(view.scene, view.query,
-                                             [](double) { throw std::runtime_error("stop"); },
-                                             {false, 3}),
-                 std::runtime_error);
-}
-
-TEST_F(Reference, cache_returns_the_same_bytes) {
-    const DiscView view;
-    const AoReference first = ambient_occlusion_reference(view.scene, view.query);
-    EXPECT_FALSE(first.from_cache);
-    ASSERT_EQ(cache_files().size(), 1u);
-    const AoReference second = ambient_occlusion_reference(view.scene, view.query);
-    EXPECT_TRUE(second.from_cache);
-    EXPECT_EQ(first.visibility.data, second.visibility.data);
-    EXPECT_EQ(first.standard_error.data, second.standard_error.data);
-    EXPECT_EQ(first.seconds, second.seconds);
-    const AoReference fresh =
-        ambient_occlusion_reference(view.scene, view.query, {}, {.use_cache = false});
-    EXPECT_FALSE(fresh.from_cache);
-    EXPECT_EQ(first.visibility.data, fresh.visibility.data);
-}
-
-TEST_F(Reference, anything_that_matters_misses_the_cache) {
-    const DiscView view;
-    ambient_occlusion_reference(view.scene, view.query);
-    const auto hits = [&](const std::function<void(DiscView&)>& change) {
-        DiscView changed = view;
-        change(changed);
-        return ambient_occlusion_reference(changed.scene, changed.query).from_cache;
-    };
-    EXPECT_TRUE(hits([](DiscView&) {}));
-    EXPECT_TRUE(hits([](DiscView& v) { v.query.camera.name = "other"; }));
-    EXPECT_TRUE(hits([](DiscView& v) { v.scene.name = "other"; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.scene.positions[5].x += 1e-3f; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.scene.normals[0] = {0.6f, 0.8f, 0.0f}; }));
-    EXPECT_FALSE(hits([](DiscView& v) { std::swap(v.scene.indices[0], v.scene.indices[1]); }));
-    EXPECT_TRUE(hits([](DiscView& v) { v.scene.materials[0].base_color = glm::vec3(0.2f); }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.scene.materials[0].double_sided = false; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.scene.materials[0].alpha_cutoff = 0.5f; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.eye.x += 1e-4f; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.up = -v.query.camera.up; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.camera.vertical_fov += 1e-4f; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.size = {23, 37}; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.samples += 1; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.radius = 7.0f; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.seed += 1; }));
-    EXPECT_FALSE(hits([](DiscView& v) { v.query.pixel_jitter = true; }));
-}
-
-TEST_F(Reference, damaged_cache_files_are_computed_anew) {
-    const DiscView view;
-    const AoReference good = ambient_occlusion_reference(view.scene, view.query);
-    const fs::path file = cache_files().at(0);
-    const auto size = fs::file_size(file);
-    const std::vector<std::function<void()>> damages = {
-        [&] { fs::resize_file(file, size - 1); },
-        [&] { fs::resize_file(file, size + 4); },
-        [&] { fs::resize_file(file, 0); },
-        [&] { std::ofstream(file) << "not a result"; },
-        [&] {
-            fs::remove(file);
-            fs::create_directory(file);
-        },
-        [&] {
-            std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
-            stream.seekp(static_cast<std::streamoff>(size / 2));
-            stream.put('\x77');
-        },
-        [&] {
-            std::fstream stream(file, std::ios::in | std::ios::out | std::ios::binary);
-            stream.seekp(0);
-            stream.put('X');
-        }};
-    for (size_t i = 0; i < damages.size(); ++i) {
-        damages[i]();
-        const AoReference again = ambient_occlusion_reference(view.scene, view.query);
-        EXPECT_FALSE(again.from_cache) << "damage " << i;
-        EXPECT_EQ(again.visibility.data, good.visibility.data);
-        if (fs::is_directory(file))
-            fs::remove(file);
-        ambient_occlusion_reference(view.scene, view.query);
-        EXPECT_TRUE(ambient_occlusion_reference(view.scene, view.query).from_cache);
-    }
-}
-
-TEST_F(Reference, works_without_a_writable_cache) {
-    std::ofstream(folder_ / "file") << "in the way";
-    setenv("XDG_CACHE_HOME", (folder_ / "file" / "below").c_str(), 1);
-    const DiscView view;
-    EXPECT_FALSE(ambient_occlusion_reference(view.scene, view.query).from_cache);
-    EXPECT_FALSE(ambient_occlusion_reference(view.scene, view.query).from_cache);
-}
-
-TEST_F(Reference, refuses_queries_out_of_range) {
-    const auto refused = [](const std::function<void(AoQuery&)>& change, const char* word) {
-        DiscView view;
-        change(view.query);
-        try {
-            ambient_occlusion_reference(view.scene, view.query);
-            ADD_FAILURE() << word;
-        } catch (const Error& error) {
-            EXPECT_EQ(error.exit_status(), kBadInput);
-            EXPECT_NE(std::string(error.what()).find(word), std::string::npos) << error.what();
-        }
-    };
-    refused([](AoQuery& q) { q.size = {0, 5}; }, "pixels");
-    refused([](AoQuery& q) { q.size = {5, 1 << 20}; }, "pixels");
-    refused([](AoQuery& q) { q.samples = 0; }, "samples");
-    refused([](AoQuery& q) { q.radius = 0.0f; }, "radius");
-    refused([](AoQuery& q) { q.radius = std::nanf(""); }, "radius");
-    refused([](AoQuery& q) { q.camera.eye.y = kInfinite; }, "camera");
-}
-
-TEST_F(Reference, empty_scene_is_all_background) {
-    AoQuery query = DiscView().query;
-    const Image picture = ambient_occlusion_reference({}, query, {}, {false, 1}).visibility;
-    EXPECT_EQ(std::ranges::count(picture.data, 1.0f), query.size.x * query.size.y);
 }
 
 } // namespace
