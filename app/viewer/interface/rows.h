@@ -26,7 +26,7 @@ bool is_hovered_for_long();
 void tooltip(const std::string& text);
 
 /// Of marked labels and buttons that stand out; of errors.
-inline constexpr ImVec4 kAccent(0.98f, 0.72f, 0.32f, 1.0f);
-inline constexpr ImVec4 kErrorColor(1.0f, 0.42f, 0.38f, 1.0f);
+inline const ImVec4 kAccent(0.98f, 0.72f, 0.32f, 1.0f);
+inline const ImVec4 kErrorColor(1.0f, 0.42f, 0.38f, 1.0f);
 
 } // namespace romascope
