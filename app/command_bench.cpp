@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 #include "app/bench/bench_report.h"
-#include "app/build_facts.h"
 #include "app/commands.h"
 #include "app/common_options.h"
 #include "app/frame_run.h"
@@ -17,7 +16,6 @@
 
 #include <algorithm>
 #include <ctime>
-#include <fstream>
 #include <memory>
 #include <thread>
 
@@ -47,28 +45,6 @@ Settings bench_settings(const BenchOptions& options) {
     return options.settings.apply_to(settings);
 }
 
-std::vector<Variation> variations_of(const BenchOptions& options, const Settings& settings) {
-    if (options.variations.empty())
-        return default_variations(settings);
-    std::vector<Variation> variations;
-    for (const std::string& text : options.variations) {
-        const Variation variation = parse_variation(settings, text);
-        if (std::ranges::find(variations, variation.knob, &Variation::knob) != variations.end())
-            throw Error(fmt::format("--vary {}: it is varied twice", variation.knob->key()),
-                        kBadInput);
-        variations.push_back(variation);
-    }
-    return variations;
-}
-
-std::string processor() {
-    std::ifstream facts("/proc/cpuinfo");
-    for (std::string line; std::getline(facts, line);)
-        if (line.starts_with("model name"))
-            return line.substr(std::min(line.find(':') + 2, line.size()));
-    return "unknown processor";
-}
-
 std::string date_now() {
     const std::time_t now = std::time(nullptr);
     std::tm utc{};
@@ -77,24 +53,14 @@ std::string date_now() {
                        utc.tm_mday, utc.tm_hour, utc.tm_min);
 }
 
-/// What differs from the program's own defaults, as --set takes it.
-std::string changes(const Settings& settings) {
-    std::string text;
-    for (const KnobBase* knob : settings.table().all())
-        if (!settings.is_default(*knob) && knob != &kTracer && knob != &kFrames)
-            text += fmt::format("{}{}={}", text.empty() ? "" : " ", knob->key(),
-                                to_text(settings.value(*knob)));
-    return text.empty() ? "defaults" : text;
-}
-
-BenchFacts facts_of(const Scene& scene, const fs::path& file, const Settings& settings,
-                    const Camera& camera, const BenchTimes& times, const std::string& baseline) {
+Facts facts_of(const Scene& scene, const fs::path& file, const Settings& settings,
+               const Camera& camera, const BenchTimes& times, const std::string& baseline) {
     const DriverFacts driver = query_driver();
     const std::string clock(name_of(times.clock));
-    return {{"program", fmt::format("romascope {} ({})", kVersion, kCommit)},
+    return {{"program", program_fact()},
             {"date", date_now()},
             {"machine",
-             fmt::format("{}, {} threads", processor(), std::thread::hardware_concurrency())},
+             fmt::format("{}, {} threads", processor_fact(), std::thread::hardware_concurrency())},
             {"renderer", driver.renderer},
             {"driver", driver.version},
             {"clock",
@@ -102,7 +68,7 @@ BenchFacts facts_of(const Scene& scene, const fs::path& file, const Settings& se
             {"scene", fmt::format("{}, {} triangles", file.string(), scene.triangle_count())},
             {"camera", camera.name},
             {"size", fmt::format("{}x{}", settings.get(kWidth), settings.get(kHeight))},
-            {"settings", changes(settings)},
+            {"settings", settings_fact(settings)},
             {"rounds", fmt::format("{}, after a warm-up", times.rounds)},
             {"baseline", baseline}};
 }
@@ -121,8 +87,9 @@ void check_memory_of_all(const Scene& scene, const std::vector<BenchVariant>& va
 
 int bench(const BenchOptions& options) {
     const Settings settings = bench_settings(options);
-    const std::vector<BenchVariant> variants =
-        expand_variants(settings, variations_of(options, settings));
+    const std::vector<BenchVariant> variants = expand_variants(
+        settings, options.variations.empty() ? default_variations(settings)
+                                             : parse_variations(settings, options.variations));
     const size_t baseline = options.baseline.empty() ? 0 : find_variant(variants, options.baseline);
     if (!(options.seconds > 0.0 && options.seconds <= 3600.0))
         throw Error("--seconds takes more than 0, up to 3600", kBadInput);
@@ -143,7 +110,7 @@ int bench(const BenchOptions& options) {
     const BenchTimes times = benchmark.run(rounds, options.seconds);
 
     const std::string& name = variants[baseline].name;
-    const BenchFacts facts = facts_of(scene, file, settings, showing.camera(), times, name);
+    const Facts facts = facts_of(scene, file, settings, showing.camera(), times, name);
     const std::vector<BenchRow> rows = bench_rows(times, baseline);
     if (!options.csv.empty())
         write_file_atomically(options.csv, bench_csv(facts, rows));

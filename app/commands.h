@@ -18,6 +18,7 @@ Command add_render_command(CLI::App& app);
 Command add_compare_command(CLI::App& app);
 Command add_sheet_command(CLI::App& app);
 Command add_bench_command(CLI::App& app);
+Command add_split_command(CLI::App& app);
 Command add_info_command(CLI::App& app);
 
 } // namespace romascope

@@ -67,8 +67,9 @@ int run(int argc, char** argv) {
     app.require_subcommand(0, 1);
     int status = 0;
     std::vector<Command> commands;
-    for (const auto& add : {add_view_command, add_render_command, add_compare_command,
-                            add_sheet_command, add_bench_command, add_info_command}) {
+    for (const auto& add :
+         {add_view_command, add_render_command, add_compare_command, add_sheet_command,
+          add_bench_command, add_split_command, add_info_command}) {
         const Command command = commands.emplace_back(add(app));
         app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }

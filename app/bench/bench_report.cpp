@@ -77,15 +77,6 @@ void add_ratios(std::vector<BenchRow>& rows, const std::vector<BenchRow>& baseli
     }
 }
 
-std::string csv_field(const std::string& text) {
-    if (text.find_first_of(",\"\n") == std::string::npos)
-        return text;
-    std::string quoted = "\"";
-    for (const char c : text)
-        quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-    return quoted + '"';
-}
-
 } // namespace
 
 Spread spread_of(const std::vector<double>& values) {
@@ -104,11 +95,9 @@ std::vector<BenchRow> bench_rows(const BenchTimes& times, size_t baseline) {
     return all;
 }
 
-std::string bench_table(const BenchFacts& facts, const std::vector<BenchRow>& rows,
+std::string bench_table(const Facts& facts, const std::vector<BenchRow>& rows,
                         const std::string& baseline) {
-    std::string text;
-    for (const auto& [name, value] : facts)
-        text += fmt::format("{}: {}\n", name, value);
+    std::string text = fact_lines(facts);
     text += fmt::format("\n{:<7}{:<22} {:>10} {:>10} {:>10} {:>8} {:>8} {:>8} {:>6}\n", "", "pass",
                         "median ms", "p5", "p95", "ratio", "p5", "p95", "batch");
     std::string variant;
@@ -134,10 +123,8 @@ std::string bench_table(const BenchFacts& facts, const std::vector<BenchRow>& ro
     return text;
 }
 
-std::string bench_csv(const BenchFacts& facts, const std::vector<BenchRow>& rows) {
-    std::string text;
-    for (const auto& [name, value] : facts)
-        text += fmt::format("# {}: {}\n", name, value);
+std::string bench_csv(const Facts& facts, const std::vector<BenchRow>& rows) {
+    std::string text = fact_lines(facts, "# ");
     text += "variant,phase,pass,kind,batch,rounds,median_ms,p5_ms,p95_ms,ratio,ratio_p5,"
             "ratio_p95,bytes\n";
     for (const BenchRow& row : rows) {
@@ -154,7 +141,7 @@ std::string bench_csv(const BenchFacts& facts, const std::vector<BenchRow>& rows
     return text;
 }
 
-std::string bench_json(const BenchFacts& facts, const std::vector<BenchRow>& rows) {
+std::string bench_json(const Facts& facts, const std::vector<BenchRow>& rows) {
     const auto spread_json = [](const std::vector<double>& values) -> Json {
         if (values.empty())
             return nullptr;

@@ -3,15 +3,12 @@
 #pragma once
 
 #include "app/bench/measure.h"
+#include "app/facts.h"
 
 #include <string>
-#include <utility>
 #include <vector>
 
 namespace romascope {
-
-/// A name and a text: how the figures came about.
-using BenchFacts = std::vector<std::pair<std::string, std::string>>;
 
 /// A distribution: its median, and the values between which nine tenths lie.
 struct Spread {
@@ -34,10 +31,10 @@ struct BenchRow {
 /// Every pass of every variant and the sums of its build, in order.
 std::vector<BenchRow> bench_rows(const BenchTimes& times, size_t baseline);
 
-std::string bench_table(const BenchFacts& facts, const std::vector<BenchRow>& rows,
+std::string bench_table(const Facts& facts, const std::vector<BenchRow>& rows,
                         const std::string& baseline);
 /// Facts as lines "# name: text", then a line of columns.
-std::string bench_csv(const BenchFacts& facts, const std::vector<BenchRow>& rows);
-std::string bench_json(const BenchFacts& facts, const std::vector<BenchRow>& rows);
+std::string bench_csv(const Facts& facts, const std::vector<BenchRow>& rows);
+std::string bench_json(const Facts& facts, const std::vector<BenchRow>& rows);
 
 } // namespace romascope

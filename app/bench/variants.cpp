@@ -6,6 +6,7 @@
 #include "renderer/frame/pipeline.h"
 #include "renderer/settings/quote.h"
 #include "renderer/tracers/dda2d/dda2d_tracer.h"
+#include "renderer/tracers/occupancy/occupancy_knobs.h"
 #include "renderer/tracers/roma/roma_knobs.h"
 
 #include <fmt/format.h>
@@ -16,8 +17,6 @@
 
 namespace romascope {
 namespace {
-
-constexpr size_t kMostVariants = 64;
 
 /// Groups of settings that make the picture which all variants share.
 constexpr std::string_view kShared[] = {"render.", "frame.", "view.", "lit."};
@@ -45,6 +44,39 @@ std::vector<std::string> tracer_names(const Settings& base,
 
 bool concerns(const Variation& variation, const std::string& tracer) {
     return variation.knob != &kTracer && !is_of_other_tracer(*variation.knob, tracer);
+}
+
+/// Whether the knob decides nothing because of another one's value.
+bool is_idle(const KnobBase& knob, const Settings& settings) {
+    const bool sheared = settings.get(kRomaAlignment) == RomaAlignment::shear;
+    const bool computed = settings.get(kOccupancyBuilder) == OccupancyBuilder::compute;
+    return (&knob == &kRomaTaps && !sheared) || (&knob == &kOccupancyCoverage && !computed) ||
+           (&knob == &kOccupancyAxes && computed) ||
+           (&knob == &kRomaIterations && settings.get(kRomaSnap)) ||
+           (&knob == &kRomaSampling && !settings.get(kRomaSnap));
+}
+
+/// Those that differ in more than idle settings, which are left out of their names.
+std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants,
+                                       const std::vector<Variation>& variations) {
+    std::vector<BenchVariant> kept;
+    for (const BenchVariant& variant : variants) {
+        const std::string tracer = variant.settings.get(kTracer);
+        BenchVariant own{tracer, variant.settings};
+        for (const Variation& variation : variations) {
+            const KnobBase& knob = *variation.knob;
+            if (!concerns(variation, tracer))
+                continue;
+            if (is_idle(knob, variant.settings))
+                own.settings.reset(knob);
+            else
+                own.name +=
+                    fmt::format(" {}={}", knob.key(), to_text(variant.settings.value(knob)));
+        }
+        if (std::ranges::find(kept, own.name, &BenchVariant::name) == kept.end())
+            kept.push_back(own);
+    }
+    return kept;
 }
 
 } // namespace
@@ -77,6 +109,19 @@ Variation parse_variation(const Settings& base, const std::string& text) {
     return variation;
 }
 
+std::vector<Variation> parse_variations(const Settings& base,
+                                        const std::vector<std::string>& texts) {
+    std::vector<Variation> variations;
+    for (const std::string& text : texts) {
+        const Variation variation = parse_variation(base, text);
+        if (std::ranges::find(variations, variation.knob, &Variation::knob) != variations.end())
+            throw Error(fmt::format("--vary {}: it is varied twice", variation.knob->key()),
+                        kBadInput);
+        variations.push_back(variation);
+    }
+    return variations;
+}
+
 std::vector<Variation> default_variations(const Settings& base) {
     std::vector<Variation> variations;
     const std::string only = base.get(kTracer);
@@ -88,7 +133,7 @@ std::vector<Variation> default_variations(const Settings& base) {
 }
 
 std::vector<BenchVariant> expand_variants(const Settings& base,
-                                          const std::vector<Variation>& variations) {
+                                          const std::vector<Variation>& variations, size_t most) {
     std::vector<BenchVariant> all;
     std::set<const KnobBase*> used = {&kTracer};
     for (const std::string& tracer : tracer_names(base, variations)) {
@@ -103,15 +148,15 @@ std::vector<BenchVariant> expand_variants(const Settings& base,
             for (const BenchVariant& variant : of_tracer) {
                 for (const std::string& value : variation.values) {
                     more.push_back(variant);
-                    more.back().name += fmt::format(" {}={}", variation.knob->key(), value);
                     more.back().settings.set_text(variation.knob->key(), value);
                 }
             }
             of_tracer = std::move(more);
-            if (all.size() + of_tracer.size() > kMostVariants)
-                throw Error(fmt::format("--vary: these are more than {} variants", kMostVariants),
+            if (all.size() + of_tracer.size() > most)
+                throw Error(fmt::format("--vary: these are more than {} variants", most),
                             kBadInput);
         }
+        of_tracer = without_idle(of_tracer, variations);
         all.insert(all.end(), of_tracer.begin(), of_tracer.end());
     }
     for (const Variation& variation : variations)

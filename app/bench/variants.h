@@ -25,16 +25,24 @@ struct BenchVariant {
 /// setting that all variants share (picture, camera, time, view).
 Variation parse_variation(const Settings& base, const std::string& text);
 
+/// Several of those, of different settings. Throws Error (kBadInput) as parse_variation does.
+std::vector<Variation> parse_variations(const Settings& base,
+                                        const std::vector<std::string>& texts);
+
 /// What is compared where nothing else was asked for: the alignments of ROMA, the hierarchy on and
 /// off; but for settings that `base` has changed or whose tracer it does not name.
 std::vector<Variation> default_variations(const Settings& base);
 
+inline constexpr size_t kMostBenchVariants = 64;
+
 /// Every tracer (the one in `base`, if it names one, or those of a variation), with every
-/// combination of the values of those variations that concern it.
-/// Throws Error (kBadInput) for an unknown tracer, a variation that concerns none, or more
-/// variants than are any use.
+/// combination of the values of those variations that concern it. Settings that another one's value
+/// makes meaningless, such as taps of a rotation, make no variants.
+/// Throws Error (kBadInput) for an unknown tracer, a variation that concerns none, or more than
+/// `most` variants.
 std::vector<BenchVariant> expand_variants(const Settings& base,
-                                          const std::vector<Variation>& variations);
+                                          const std::vector<Variation>& variations,
+                                          size_t most = kMostBenchVariants);
 
 /// The place of the variant with that name, or of the only one that has all its words.
 /// Throws Error (kBadInput) if there is none or more than one.

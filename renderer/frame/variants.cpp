@@ -5,6 +5,7 @@
 #include "renderer/passes/deform.h"
 #include "renderer/passes/empty.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
+#include "renderer/tracers/ray_list.h"
 #include "renderer/tracers/roma/roma_knobs.h"
 
 #include <algorithm>
@@ -73,6 +74,8 @@ std::vector<ShaderVariant> all_shader_variants() {
         for (const TracerEntry& entry : tracers()) {
             const std::unique_ptr<Tracer> tracer = entry.make();
             add(AmbientOcclusion::variant(settings, *tracer));
+            for (const RayQuestion question : {RayQuestion::any_hit, RayQuestion::distance})
+                add(RayList::variant(settings, *tracer, question));
             for (const ShaderVariant& variant : tracer->build_variants(settings))
                 add(variant);
         }

@@ -3,6 +3,7 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/passes/frame_context.h"
+#include "renderer/tracers/candidate_set.h"
 
 #include <memory>
 #include <string>
@@ -10,6 +11,12 @@
 #include <vector>
 
 namespace romascope {
+
+/// How rays leave the surface they start on.
+struct Leaving {
+    double offset = 0.0; ///< how far they start off it, along its normal, metres
+    int escape = 0;      ///< occupied cells that they may pass at their very start
+};
 
 /// A visibility structure: built from the scene each frame, asked by any estimator.
 ///
@@ -32,6 +39,11 @@ public:
     virtual std::vector<ShaderDefine> shader_defines(const Settings& settings) const = 0;
     /// True if estimators shall choose among the tracer's candidates under these settings.
     virtual bool sample_candidates(const Settings&) const { return false; }
+
+    // Of the last build, for those who ask what the answers are made of.
+    virtual Leaving leaving() const = 0;
+    /// Empty if rays keep their own direction.
+    virtual CandidateSet candidate_set() const { return {}; }
 
     /// Binds what was built for the GLSL file: texture units, storage and uniform blocks from 4 up.
     /// `program`, in use, includes the GLSL file: for uniforms.

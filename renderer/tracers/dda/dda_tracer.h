@@ -16,7 +16,7 @@ std::vector<const KnobBase*> dda_knobs();
 /// answer for its cells.
 class DdaTracer final : public GridTracer {
 public:
-    DdaTracer() : GridTracer("tracers/dda/dda_tracer.glsl", dda_knobs()) {}
+    DdaTracer() : GridTracer("tracers/dda/dda_tracer.glsl", kDdaNormalOffset, kDdaEscape) {}
 };
 
 std::unique_ptr<Tracer> make_dda_tracer();

@@ -24,7 +24,9 @@ std::vector<const KnobBase*> dda2d_knobs();
 /// (Thiedemann et al. 2011). The same hits as DdaTracer.
 class Dda2dTracer final : public GridTracer {
 public:
-    Dda2dTracer() : GridTracer("tracers/dda2d/dda2d_tracer.glsl", dda2d_knobs()) {}
+    Dda2dTracer()
+        : GridTracer("tracers/dda2d/dda2d_tracer.glsl", kDda2dNormalOffset, kDda2dEscape,
+                     {&kDda2dHierarchy}) {}
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
     size_t bytes_needed(const Settings& settings) const override;

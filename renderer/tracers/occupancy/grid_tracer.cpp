@@ -8,9 +8,19 @@ void GridTracer::build(const FrameContext& frame) {
     take(frame, occupancy_.texture(), occupancy_.grid());
 }
 
-void GridTracer::take(const FrameContext&, const Texture& base, const OccupancyGrid& grid) {
+std::vector<ShaderDefine> GridTracer::shader_defines(const Settings& settings) const {
+    if (!given_leaving_)
+        return romascope::shader_defines(settings, knobs_);
+    Settings given = settings;
+    given.set(escape_, given_leaving_->escape);
+    return romascope::shader_defines(given, knobs_);
+}
+
+void GridTracer::take(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid) {
     base_ = &base;
     grid_ = grid;
+    leaving_ = given_leaving_.value_or(Leaving{
+        frame.settings.get(normal_offset_) * double(grid.cell_size), frame.settings.get(escape_)});
 }
 
 void GridTracer::bind(const Program& program) const {
@@ -18,6 +28,7 @@ void GridTracer::bind(const Program& program) const {
     program.set("grid_origin", grid_.origin);
     program.set("metres_per_cell", grid_.cell_size);
     program.set("grid_size", grid_.size);
+    program.set("grid_offset", static_cast<float>(leaving_.offset / double(grid_.cell_size)));
 }
 
 std::vector<StructureBytes> GridTracer::bytes() const { return {occupancy_.bytes()}; }

@@ -43,8 +43,19 @@ void RomaTracer::align(const FrameContext& frame, const Texture& base, const Occ
         shearing_ = {};
         rotation_.build(frame, base, grid, bounds, candidates_);
     }
+    const double cell = is_sheared(settings) ? double(grid.cell_size)
+                                             : enclosing_cell(bounds, grid.cell_size,
+                                                              settings.get(kOccupancyResolution));
+    leaving_ = {settings.get(kRomaNormalOffset) * cell, settings.get(kRomaEscape)};
+    snaps_ = settings.get(kRomaSnap);
     upload_candidates(settings, bounds.centre());
     clear_counts(settings);
+}
+
+CandidateSet RomaTracer::candidate_set() const {
+    if (!snaps_)
+        return {};
+    return CandidateSet(std::vector<glm::vec3>(candidates_.begin(), candidates_.end()));
 }
 
 void RomaTracer::upload_candidates(const Settings& settings, glm::vec3 centre) {

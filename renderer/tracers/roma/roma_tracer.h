@@ -21,6 +21,8 @@ public:
     std::string shader_file() const override { return "tracers/roma/roma_tracer.glsl"; }
     std::vector<ShaderDefine> shader_defines(const Settings& settings) const override;
     bool sample_candidates(const Settings& settings) const override;
+    Leaving leaving() const override { return leaving_; }
+    CandidateSet candidate_set() const override;
     void bind(const Program& program) const override;
     std::vector<StructureBytes> bytes() const override;
     size_t bytes_needed(const Settings& settings) const override;
@@ -46,6 +48,8 @@ private:
     OccupancyMap occupancy_;
     RomaAlignment alignment_ = RomaAlignment::rotate;
     std::vector<glm::dvec3> candidates_;
+    bool snaps_ = true;
+    Leaving leaving_;
     Rotation rotation_;       ///< empty unless that is the alignment
     Shearing shearing_;       ///< likewise
     Buffer candidate_buffer_; ///< std140 RomaCandidates of roma_tracer.glsl

@@ -24,7 +24,9 @@ std::vector<const KnobBase*> samples_knobs();
 /// A fixed number of samples of the base occupancy map along a ray (Reinbothe et al. 2009).
 class SamplesTracer final : public GridTracer {
 public:
-    SamplesTracer() : GridTracer("tracers/samples/samples_tracer.glsl", samples_knobs()) {}
+    SamplesTracer()
+        : GridTracer("tracers/samples/samples_tracer.glsl", kSamplesNormalOffset, kSamplesEscape,
+                     {&kSamplesCount}) {}
 };
 
 std::unique_ptr<Tracer> make_samples_tracer();

@@ -5,7 +5,7 @@
 //
 // Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss)
 // In:    grid_ray.glsl
-// Host:  DDA_NORMAL_OFFSET, cells; DDA_ESCAPE, cells
+// Host:  DDA_ESCAPE, cells
 #include "shaders/tracers/occupancy/grid_ray.glsl"
 
 /// Where the first occupied cell is entered, as t, or -1.
@@ -39,6 +39,5 @@ float dda_walk(GridRay ray) {
 }
 
 #define GRID_WALK dda_walk
-#define GRID_NORMAL_OFFSET DDA_NORMAL_OFFSET
 #define GRID_ESCAPE DDA_ESCAPE
 #include "shaders/tracers/occupancy/grid_walk.glsl"

@@ -6,7 +6,7 @@
 //
 // Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss)
 // In:    grid_ray.glsl; hierarchy, R32UI, as hierarchy_levels.h has it
-// Host:  DDA2D_NORMAL_OFFSET, cells; DDA2D_ESCAPE, cells; DDA2D_HIERARCHY 0 or 1
+// Host:  DDA2D_ESCAPE, cells; DDA2D_HIERARCHY 0 or 1
 #include "shaders/common/bits.h"
 #include "shaders/tracers/dda2d/hierarchy_levels.h"
 #include "shaders/tracers/occupancy/grid_ray.glsl"
@@ -80,6 +80,5 @@ float dda2d_walk(GridRay ray) {
 }
 
 #define GRID_WALK dda2d_walk
-#define GRID_NORMAL_OFFSET DDA2D_NORMAL_OFFSET
 #define GRID_ESCAPE DDA2D_ESCAPE
 #include "shaders/tracers/occupancy/grid_walk.glsl"

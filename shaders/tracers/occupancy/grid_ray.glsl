@@ -8,12 +8,14 @@
 // Vectors are taken apart by constant places only: others cost NVIDIA's GPUs a way through memory.
 //
 // In: base_map, R32UI: bit b of texel z is cell 32 z + b along z; uniforms grid_origin: lower corner,
-//     metres; metres_per_cell; grid_size, cells
+//     metres; metres_per_cell; grid_size, cells; grid_offset: how far rays start off their surface,
+//     along its normal, cells
 
 layout(binding = 4) uniform usampler3D base_map;
 uniform vec3 grid_origin;
 uniform float metres_per_cell;
 uniform ivec3 grid_size;
+uniform float grid_offset;
 
 struct GridRay {
     vec3 start;
@@ -55,17 +57,17 @@ uint grid_word(ivec3 cell) { return texelFetch(base_map, ivec3(cell.xy, cell.z >
 
 bool grid_bit(uint word, ivec3 cell) { return ((word >> (cell.z & 31)) & 1u) != 0u; }
 
-/// `point`: a surface point, metres. `offset`: how far the start is moved along the normal, cells.
-/// `t_max`: metres from the surface. No cell counts (t >= end) if the ray misses the grid.
-GridRay grid_ray(vec3 point, vec3 normal, vec3 direction, float t_max, float offset) {
+/// `point`: a surface point, metres. `t_max`: metres from the surface. No cell counts (t >= end) if
+/// the ray misses the grid.
+GridRay grid_ray(vec3 point, vec3 normal, vec3 direction, float t_max) {
     GridRay ray;
-    precise vec3 start = (point - grid_origin) / metres_per_cell + offset * normal;
+    precise vec3 start = (point - grid_origin) / metres_per_cell + grid_offset * normal;
     ray.start = start;
     ray.direction = direction;
     ray.ahead = ivec3(greaterThanEqual(direction, vec3(0.0)));
     ray.turn = 2 * ray.ahead - 1;
     ray.per_cell = vec3(ray.turn) / max(abs(direction), vec3(1e-20));
-    ray.moved = offset * dot(normal, direction);
+    ray.moved = grid_offset * dot(normal, direction);
     ray.t = 0.0;
     // Points far away are no integers.
     ray.cell = ivec3(floor(clamp(start, vec3(-1.0), vec3(grid_size))));
@@ -114,8 +116,8 @@ void grid_escape(inout GridRay ray, int limit) {
 }
 
 /// A ray that leaves its own surface: moved along the normal, then past cells.
-GridRay grid_leaving_ray(vec3 point, vec3 normal, vec3 direction, float t_max, float offset, int escape) {
-    GridRay ray = grid_ray(point, normal, direction, t_max, offset);
+GridRay grid_leaving_ray(vec3 point, vec3 normal, vec3 direction, float t_max, int escape) {
+    GridRay ray = grid_ray(point, normal, direction, t_max);
     grid_escape(ray, escape);
     return ray;
 }

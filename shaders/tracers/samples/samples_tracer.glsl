@@ -5,7 +5,7 @@
 //
 // Gives: tracer_any_hit, tracer_closest_hit (metres from the surface, negative for a miss)
 // In:    grid_ray.glsl
-// Host:  SAMPLES_NORMAL_OFFSET, cells; SAMPLES_ESCAPE, cells; SAMPLES_COUNT
+// Host:  SAMPLES_ESCAPE, cells; SAMPLES_COUNT
 #include "shaders/tracers/occupancy/grid_ray.glsl"
 
 /// The cell in the middle of part `i` of the segment.
@@ -17,7 +17,7 @@ ivec3 samples_cell(GridRay ray, int i) {
 }
 
 bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_leaving_ray(point, normal, direction, t_max, SAMPLES_NORMAL_OFFSET, SAMPLES_ESCAPE);
+    GridRay ray = grid_leaving_ray(point, normal, direction, t_max, SAMPLES_ESCAPE);
     if (!(ray.t < ray.end))
         return false;
     for (int i = 0; i < SAMPLES_COUNT; ++i) {
@@ -29,7 +29,7 @@ bool tracer_any_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
 }
 
 float tracer_closest_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
-    GridRay ray = grid_leaving_ray(point, normal, direction, t_max, SAMPLES_NORMAL_OFFSET, SAMPLES_ESCAPE);
+    GridRay ray = grid_leaving_ray(point, normal, direction, t_max, SAMPLES_ESCAPE);
     if (!(ray.t < ray.end))
         return -1.0;
     for (int i = 0; i < SAMPLES_COUNT; ++i) {
