@@ -50,8 +50,8 @@ bool concerns(const Variation& variation, const std::string& tracer) {
 bool is_idle(const KnobBase& knob, const Settings& settings) {
     const bool sheared = settings.get(kRomaAlignment) == RomaAlignment::shear;
     const bool computed = settings.get(kOccupancyBuilder) == OccupancyBuilder::compute;
-    return (&knob == &kRomaTaps && !sheared) || (&knob == &kOccupancyCoverage && !computed) ||
-           (&knob == &kOccupancyAxes && computed) ||
+    return (&knob == &kRomaTaps && !sheared) || (&knob == &kRomaFit && sheared) ||
+           (&knob == &kOccupancyCoverage && !computed) || (&knob == &kOccupancyAxes && computed) ||
            (&knob == &kRomaIterations && settings.get(kRomaSnap)) ||
            (&knob == &kRomaSampling && !settings.get(kRomaSnap));
 }

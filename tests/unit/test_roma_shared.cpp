@@ -138,16 +138,23 @@ TEST(AlignedBox, EnclosesTheSceneWhateverTheDirection) {
     for (int i = 0; i < 500; ++i) {
         const glm::dvec3 direction =
             glm::normalize(glm::dvec3(normal(random), normal(random), normal(random)));
-        const AlignedBox box = AlignedBox::around(bounds, 0.1, direction, 64);
-        EXPECT_NEAR(glm::determinant(box.axes), 1.0, 1e-9);
-        EXPECT_NEAR(glm::dot(box.axes[2], direction), 1.0, 1e-12);
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::dvec3 p((corner & 1) ? 5.1 : -3.1, (corner & 2) ? 2.1 : 0.9,
-                               (corner & 4) ? 17.1 : 9.9);
-            const glm::dvec3 in_cells = glm::transpose(box.axes) * (p - box.centre) / box.cell;
-            for (int axis = 0; axis < 3; ++axis)
-                EXPECT_LE(std::abs(in_cells[axis]), 32.0 + 1e-9);
+        const AlignedBox cube = AlignedBox::enclosing(bounds, 0.1, direction, 64);
+        const AlignedBox fitting = AlignedBox::around(bounds, 0.1, direction, 64);
+        for (const AlignedBox& box : {fitting, cube}) {
+            EXPECT_NEAR(glm::determinant(box.axes), 1.0, 1e-9);
+            EXPECT_NEAR(glm::dot(box.axes[2], direction), 1.0, 1e-12);
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 p((corner & 1) ? 5.1 : -3.1, (corner & 2) ? 2.1 : 0.9,
+                                   (corner & 4) ? 17.1 : 9.9);
+                const glm::dvec3 in_cells = glm::transpose(box.axes) * (p - box.centre) / box.cell;
+                for (int axis = 0; axis < 3; ++axis)
+                    EXPECT_LE(std::abs(in_cells[axis]), 32.0 + 1e-9);
+            }
         }
+        // The same cells whatever the direction: the diagonal, 8.2 by 1.2 by 7.2 m.
+        EXPECT_NEAR(cube.cell.x, std::sqrt(8.2 * 8.2 + 1.2 * 1.2 + 7.2 * 7.2) / 64, 1e-5);
+        EXPECT_EQ(cube.cell, glm::dvec3(cube.cell.x));
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(fitting.cell, cube.cell + 1e-9)));
     }
 }
 

@@ -41,6 +41,13 @@ AlignedBox AlignedBox::around(const Bounds& bounds, double margin, glm::dvec3 di
     return box;
 }
 
+AlignedBox AlignedBox::enclosing(const Bounds& bounds, double margin, glm::dvec3 direction,
+                                 int side) {
+    AlignedBox box = around(bounds, margin, direction, side);
+    box.cell = glm::dvec3(enclosing_cell(bounds, margin, side));
+    return box;
+}
+
 double enclosing_cell(const Bounds& bounds, double margin, int side) {
     return glm::length(glm::dvec3(bounds.extent()) + 2.0 * margin) / side;
 }

@@ -16,6 +16,10 @@ struct AlignedBox {
     /// For a scene within `bounds` whose occupied cells, of size `margin`, reach up to one cell
     /// beyond them. The turn about the direction is the one with the smallest cross section.
     static AlignedBox around(const Bounds& bounds, double margin, glm::dvec3 direction, int side);
+
+    /// The cube around the scene whatever way it is turned, turned as the above.
+    static AlignedBox enclosing(const Bounds& bounds, double margin, glm::dvec3 direction,
+                                int side);
 };
 
 /// The cell that the normal offset is counted in, in metres: that of a cube which encloses the

@@ -6,6 +6,7 @@
 namespace romascope {
 
 enum class RomaAlignment { rotate, shear };
+enum class RomaFit { box, cube };
 enum class RomaSampling { snap, candidates };
 enum class RomaInvocations { device, many, few };
 
@@ -19,6 +20,14 @@ inline const Knob<RomaAlignment> kRomaAlignment{
      .source = "Zeng et al. 2023, Algorithm 1"},
     RomaAlignment::rotate,
     {"rotate", "shear"}};
+inline const Knob<RomaFit> kRomaFit{
+    {.key = "roma.fit",
+     .unit = "",
+     .help = "With roma.alignment rotate, what a turned map covers: a box that fits the scene at "
+             "that turn, or the cube that encloses it at any, whose cells are larger.",
+     .source = "box: its cells are smaller; cube: Zeng et al. 2023, Algorithm 1, turns one cube"},
+    RomaFit::box,
+    {"box", "cube"}};
 inline const Knob<int> kRomaTaps{
     {.key = "roma.taps",
      .unit = "cells",

@@ -16,9 +16,17 @@ constexpr size_t kCounters = 2;
 } // namespace
 
 std::vector<const KnobBase*> roma_knobs() {
-    return {&kRomaAlignment,    &kRomaTaps,       &kRomaAngularResolution, &kRomaDirectionJitter,
-            &kRomaNormalOffset, &kRomaEscape,     &kRomaSampling,          &kRomaSnap,
-            &kRomaIterations,   &kRomaInvocations};
+    return {&kRomaAlignment,
+            &kRomaFit,
+            &kRomaTaps,
+            &kRomaAngularResolution,
+            &kRomaDirectionJitter,
+            &kRomaNormalOffset,
+            &kRomaEscape,
+            &kRomaSampling,
+            &kRomaSnap,
+            &kRomaIterations,
+            &kRomaInvocations};
 }
 
 std::unique_ptr<Tracer> make_roma_tracer() { return std::make_unique<RomaTracer>(); }

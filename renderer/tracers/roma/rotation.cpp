@@ -26,9 +26,11 @@ void Rotation::build(const FrameContext& frame, const Texture& base, const Occup
     side_ = frame.settings.get(kOccupancyResolution);
     const double offset =
         frame.settings.get(kRomaNormalOffset) * enclosing_cell(bounds, grid.cell_size, side_);
+    const auto fit = frame.settings.get(kRomaFit) == RomaFit::cube ? &AlignedBox::enclosing
+                                                                   : &AlignedBox::around;
     directions_.clear();
     for (const glm::dvec3& candidate : candidates) {
-        const AlignedBox box = AlignedBox::around(bounds, grid.cell_size, candidate, side_);
+        const AlignedBox box = fit(bounds, grid.cell_size, candidate, side_);
         directions_.push_back(aligned_map(box, side_, grid, offset));
     }
     upload_or_replace(direction_buffer_, "roma directions",
