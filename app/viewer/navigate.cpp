@@ -14,6 +14,9 @@ namespace {
 
 constexpr double kOrbitPerHeight = glm::pi<double>(); ///< radians for a drag over the window
 constexpr double kNearerPerNotch = 1.12;              ///< of the wheel
+/// How far the wheel goes away: in a view of 45 degrees the scene is then an eighth of the height.
+/// Farther off there is nothing to see, and a way back of many notches.
+constexpr double kFarthestDiagonals = 10.0;
 constexpr double kDiagonalsPerSecond = 0.12, kFaster = 4.0;
 /// Seconds of flying in one frame: a slow one must not throw the eye across the scene.
 constexpr double kLongestStep = 0.5;
@@ -63,7 +66,7 @@ Viewpoint moved(Viewpoint viewpoint, const CameraMove& move, double diagonal) {
     if (move.pan != glm::dvec2(0.0))
         viewpoint.walk({-move.pan.x * height, move.pan.y * height, 0.0});
     if (move.wheel != 0.0)
-        viewpoint.approach(std::pow(kNearerPerNotch, move.wheel));
+        viewpoint.approach(std::pow(kNearerPerNotch, move.wheel), kFarthestDiagonals * diagonal);
     if (move.fly != glm::dvec3(0.0))
         viewpoint.walk(move.fly * (diagonal * kDiagonalsPerSecond * (move.fast ? kFaster : 1.0)));
     return viewpoint;

@@ -74,9 +74,10 @@ void Viewpoint::walk(glm::dvec3 metres) {
     target += way;
 }
 
-void Viewpoint::approach(double times) {
-    const double away =
-        std::clamp(distance() / times, 2.0 * least_distance(target), kMaxCoordinate);
+void Viewpoint::approach(double times, double farthest) {
+    const double least = 2.0 * least_distance(target);
+    const double most = std::clamp(std::max(farthest, distance()), least, double{kMaxCoordinate});
+    const double away = std::clamp(distance() / times, least, most);
     eye = target - away * ((target - eye) / distance());
 }
 

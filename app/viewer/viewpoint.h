@@ -28,8 +28,9 @@ struct Viewpoint {
     void look(double right, double up);
     /// Moves eye and target: metres to the right, up and forward as the camera sees it.
     void walk(glm::dvec3 metres);
-    /// Comes so many times nearer to the target; below 1: goes away from it.
-    void approach(double times);
+    /// Comes so many times nearer to the target; below 1: goes away from it, up to `farthest`
+    /// metres, or not at all where it is farther already.
+    void approach(double times, double farthest = kMaxCoordinate);
 
     double distance() const { return glm::length(target - eye); }
 };

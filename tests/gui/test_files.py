@@ -35,6 +35,23 @@ class Files(GuiTest):
         self.assertIn("broken file.glb", viewer.stderr())
         viewer.close()
 
+    def test_what_cannot_be_opened_leaves_the_mean_as_it_is(self):
+        viewer = Viewer(self, self.screen, "dancers", "--size", "200x150", "--camera", "wing",
+                        *FAST[2:-1], "100000", "--set", "render.time=0.5", "--no-panel")
+        settings = viewer.map()["settings"]
+        empty = viewer.folder / "empty.gltf"
+        empty.write_text('{"asset": {"version": "2.0"}}', encoding="utf-8")
+        broken = viewer.folder / "broken.glb"
+        broken.write_bytes(b"not a scene")
+        for file in (empty, broken):
+            before = viewer.wait_map(lambda now: now["frames_in_picture"] > 30, "no frames")
+            self.screen.drop(viewer.window, file)
+            viewer.wait_message(file.name, "error")
+            after = viewer.map()
+            self.assertGreaterEqual(after["frames_in_picture"], before["frames_in_picture"])
+            self.assertEqual(after["settings"], settings)
+        viewer.close()
+
     def test_open_by_typing(self):
         viewer = Viewer(self, self.screen, "cornell", *FAST)
         viewer.click("open")

@@ -78,6 +78,17 @@ class Panel(GuiTest):
                         "the error stays")
         viewer.close()
 
+    def test_escape_closes_a_list(self):
+        viewer = self.viewer
+        viewer.click("technique")
+        listed = viewer.wait_map(lambda now: any(name.startswith("technique:")
+                                                 for name in now["widgets"]), "no list")
+        viewer.key("Escape")
+        closed = viewer.wait_map(lambda now: not any(name.startswith("technique:")
+                                                     for name in now["widgets"]), "the list stays")
+        self.assertEqual(closed["settings"], listed["settings"])
+        viewer.close()
+
     def test_every_knob_is_there(self):
         """Each key that `info --knobs` lists is found in the panel."""
         text = subprocess.run([gui.PROGRAM, "info", "--knobs"], check=True, timeout=60,

@@ -41,6 +41,33 @@ class Window(GuiTest):
                           if message["severity"] == "error"], [])
         viewer.close()
 
+    def test_the_panel_is_as_wide_again(self):
+        viewer = Viewer(self, self.screen, "cornell", "--size", "900x300", *FAST, "--frames", 1)
+        viewer.wait_rest()
+        before = viewer.widget("panel")
+        for size in ((1, 1), (250, 90)):
+            self.resize(viewer, *size)
+        self.resize(viewer, 900, 300)
+        viewer.wait_map(lambda now: now["widgets"].get("panel") == before, f"not {before}")
+        viewer.close()
+
+    def test_the_width_of_the_panel_is_kept_in_letters(self):
+        folder, widths = self.new_folder(), []
+        for dpi in (96, 192, 96):
+            with XDisplay(3000, 1800, dpi) as screen:
+                viewer = Viewer(self, screen, "cornell", *FAST, "--frames", 1, folder=folder)
+                viewer.wait_rest()
+                if not widths:
+                    left, top, right, bottom = viewer.widget("panel")
+                    y = (top + bottom) / 2
+                    viewer.drag((right - 1, y), (right + 99, y))
+                    viewer.wait_map(lambda now: now["widgets"]["panel"][2] > right + 90,
+                                    "no wider panel")
+                widths.append(viewer.widget("panel")[2])
+                viewer.close()
+        self.assertAlmostEqual(widths[1], 2 * widths[0], delta=3)  # whole pixels
+        self.assertAlmostEqual(widths[2], widths[0], delta=2)
+
     def test_small_pixels(self):
         """Twice the pixels per inch: window and widgets are twice as large."""
         heights, sizes = [], []

@@ -180,6 +180,26 @@ TEST(KnobGroups, KnobsOfOtherTracersAndViewsAreNotInUse) {
     }
 }
 
+TEST(KnobGroups, WhatWakesAKnobDoes) {
+    Settings start(all_knobs());
+    size_t asleep = 0;
+    for (const PictureKind view : {PictureKind::normal, PictureKind::lit, PictureKind::structure})
+        for (const TracerEntry& tracer : tracers()) {
+            start.set(kView, view);
+            start.set(kTracer, std::string(tracer.name));
+            for (const KnobBase* knob : all_knobs().all()) {
+                SCOPED_TRACE(knob->key());
+                Settings settings = start;
+                for (int steps = 0; !is_in_use(*knob, settings); ++steps, ++asleep) {
+                    ASSERT_LT(steps, 2);
+                    const std::string wakes = what_wakes(*knob, settings);
+                    settings.set_assignment(wakes.substr(0, wakes.find(" or ")));
+                }
+            }
+        }
+    EXPECT_GT(asleep, 50u);
+}
+
 TEST(KnobWidget, SuitsKindAndRange) {
     for (const KnobBase* knob : all_knobs().all()) {
         const WidgetSpec spec = widget_of(*knob);
@@ -206,6 +226,15 @@ TEST(KnobWidget, UnitsStandBehindNumbersAsTheyAre) {
     const std::string format = widget_of(knob).format;
     std::snprintf(text, sizeof text, format.c_str(), 0.25);
     EXPECT_STREQ(text, "0.25 % of all");
+}
+
+TEST(KnobEditor, ListsSayWhatIsChosen) {
+    const KnownNames names{.names = {{"", "the first", {}}, {"0", "0 walk", {}}},
+                           .empty = "nothing written"};
+    EXPECT_EQ(shown_name(names, ""), "the first");
+    EXPECT_EQ(shown_name(names, "0"), "0 walk");
+    EXPECT_EQ(shown_name(names, "own"), "own");
+    EXPECT_EQ(shown_name({.names = {}, .empty = "nothing written"}, ""), "nothing written");
 }
 
 TEST(KnobEditor, SlidersReachBothEndsAndStayInRange) {

@@ -177,6 +177,21 @@ TEST(Navigate, APanKeepsTheTargetUnderTheMouse) {
     EXPECT_NEAR(after.eye.x, -5.0, 1e-9); // the origin is a quarter of the height further right
 }
 
+TEST(Navigate, TheWheelGoesAwayNoFartherThanTheSceneIsSeen) {
+    const double diagonal = 3.0;
+    Viewpoint viewpoint;
+    viewpoint.eye = {0.0, 0.0, 4.0};
+    for (int i = 0; i < 300; ++i)
+        viewpoint = moved(viewpoint, {.wheel = -1.0}, diagonal);
+    EXPECT_NEAR(viewpoint.distance(), 30.0, 1e-9);
+    viewpoint = moved(viewpoint, {.wheel = 1.0}, diagonal);
+    EXPECT_LT(viewpoint.distance(), 27.0); // the first notch back counts
+    // A camera of the scene that stands farther off stays there.
+    viewpoint.eye = {0.0, 0.0, 500.0};
+    EXPECT_NEAR(moved(viewpoint, {.wheel = -1.0}, diagonal).distance(), 500.0, 1e-9);
+    EXPECT_LT(moved(viewpoint, {.wheel = 1.0}, diagonal).distance(), 450.0);
+}
+
 TEST(Navigate, FliesFasterInLargerScenesAndWithShift) {
     Viewpoint viewpoint;
     const auto way = [&](bool fast, double diagonal) {

@@ -16,6 +16,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <functional>
 #include <optional>
 #include <string_view>
@@ -32,6 +33,8 @@ constexpr float kLeastScale = 0.5f, kMostScale = 6.0f;
 constexpr double kBlinkSeconds = 0.1;
 /// While nothing changes.
 constexpr double kIdleSeconds = 3600.0;
+
+constexpr const char* kPanelLayout = "Panel"; ///< its part of the layout's file
 
 void set_style(float scale) {
     ImGuiStyle style;
@@ -114,6 +117,7 @@ Interface::Interface(GLFWwindow* window, std::filesystem::path layout_file,
     ImGuiIO& io = ImGui::GetIO();
     io.IniFilename = nullptr; // saved here: whole or not at all, and its folder made
     io.LogFilename = nullptr;
+    add_layout_of_panel();
     load_layout(layout_file_);
     ImGui_ImplGlfw_InitForOpenGL(window_, false);
     input_.emplace(window_);
@@ -164,6 +168,8 @@ void Interface::begin_frame() {
     ImGui::GetIO().DisplayFramebufferScale = {pixels_per_unit_, pixels_per_unit_};
     keys_ = input_->feed();
     ImGui::NewFrame();
+    if (ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape), false))
+        ImGui::ClosePopupToLevel(0, true); // lists of choices; ImGui by itself closes none
     if (wants_keyboard())
         keys_.clear();
     map_.begin_frame();
@@ -216,6 +222,28 @@ double Interface::seconds_to_change() const {
     if (wants_keyboard() || ImGui::IsAnyItemHovered() || map_.is_behind())
         seconds = std::min(seconds, kBlinkSeconds);
     return seconds;
+}
+
+/// The panel's width in the file of ImGui, which has it in units of the window: on a screen of
+/// other pixels those are another number of letters.
+void Interface::add_layout_of_panel() {
+    ImGuiSettingsHandler handler;
+    handler.TypeName = kPanelLayout;
+    handler.TypeHash = ImHashStr(kPanelLayout);
+    handler.UserData = &panel_;
+    handler.ReadOpenFn = [](ImGuiContext*, ImGuiSettingsHandler* self, const char*) {
+        return self->UserData;
+    };
+    handler.ReadLineFn = [](ImGuiContext*, ImGuiSettingsHandler*, void* panel, const char* line) {
+        float width = 0.0f;
+        if (std::sscanf(line, "FontHeights=%f", &width) == 1 && std::isfinite(width))
+            static_cast<Panel*>(panel)->set_width(width);
+    };
+    handler.WriteAllFn = [](ImGuiContext*, ImGuiSettingsHandler* self, ImGuiTextBuffer* text) {
+        text->appendf("[%s][Width]\nFontHeights=%.3f\n\n", self->TypeName,
+                      static_cast<double>(static_cast<Panel*>(self->UserData)->width()));
+    };
+    context_->SettingsHandlers.push_back(handler);
 }
 
 void Interface::save_layout() {

@@ -53,6 +53,7 @@ public:
     double seconds_to_change() const;
 
 private:
+    void add_layout_of_panel();
     void save_layout(); ///< Throws Error.
 
     GLFWwindow* window_;

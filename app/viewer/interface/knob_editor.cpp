@@ -38,6 +38,11 @@ bool number_input(ImGuiDataType type, const KnobBase& knob, const WidgetSpec& sp
 
 } // namespace
 
+std::string shown_name(const KnownNames& names, const std::string& value) {
+    const auto known = std::ranges::find(names.names, value, &KnownName::value);
+    return known != names.names.end() ? known->label : value.empty() ? names.empty : value;
+}
+
 std::optional<KnobValue> KnobEditor::edit(const KnobBase& knob, const KnobValue& value,
                                           const KnownNames& names) {
     switch (knob.kind()) {
@@ -136,10 +141,10 @@ std::optional<KnobValue> KnobEditor::edit_text(const KnobBase& knob, const std::
     }
     ImGui::SetNextItemWidth(width);
     ImGui::SetNextWindowSizeConstraints({width, 0.0f}, {FLT_MAX, FLT_MAX});
-    if (ImGui::BeginCombo(std::string("##names:").append(knob.key()).c_str(), value.c_str(),
-                          names.only_these
-                              ? ImGuiComboFlags_None
-                              : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft)) {
+    if (ImGui::BeginCombo(
+            std::string("##names:").append(knob.key()).c_str(), shown_name(names, value).c_str(),
+            names.only_these ? ImGuiComboFlags_None
+                             : ImGuiComboFlags_NoPreview | ImGuiComboFlags_PopupAlignLeft)) {
         for (const KnownName& name : names.names) {
             if (ImGui::Selectable(name.label.c_str(), name.value == value))
                 entered = name.value;

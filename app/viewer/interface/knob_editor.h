@@ -23,6 +23,9 @@ struct KnownNames {
     std::string empty;       ///< what no text at all means
 };
 
+/// What a list with `value` chosen shows: the label of the name, or the text itself.
+std::string shown_name(const KnownNames& names, const std::string& value);
+
 /// Widgets for the values of knobs.
 class KnobEditor {
 public:

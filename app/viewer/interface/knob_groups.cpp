@@ -5,6 +5,8 @@
 #include "renderer/passes/compose.h"
 #include "renderer/tracers/tracer.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cctype>
 #include <iterator>
@@ -98,12 +100,20 @@ bool matches(const KnobBase& knob, std::string_view filter) {
         [&](const std::string& word) { return text.find(word) != std::string::npos; });
 }
 
-bool is_in_use(const KnobBase& knob, const Settings& settings) {
-    if (group_key(knob) == "lit" && settings.get(kView) != PictureKind::lit)
-        return false;
-    if (group_key(knob) == "view" && settings.get(kView) != view_of(knob))
-        return false;
-    return !is_of_other_tracer(knob, settings.get(kTracer));
+std::string what_wakes(const KnobBase& knob, const Settings& settings) {
+    const std::string_view group = group_key(knob);
+    if (group == "lit" || group == "view") {
+        const PictureKind wanted = group == "lit" ? PictureKind::lit : view_of(knob);
+        if (settings.get(kView) != wanted)
+            return fmt::format("{}={}", kView.key(), to_text(kView.to_value(wanted)));
+    }
+    if (!is_of_other_tracer(knob, settings.get(kTracer)))
+        return {};
+    std::vector<std::string_view> names;
+    for (const TracerEntry& tracer : tracers())
+        if (!is_of_other_tracer(knob, tracer.name))
+            names.push_back(tracer.name);
+    return fmt::format("{}={}", kTracer.key(), fmt::join(names, " or "));
 }
 
 } // namespace romascope

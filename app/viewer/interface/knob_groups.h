@@ -30,8 +30,15 @@ std::string knob_label(const KnobBase& knob);
 /// Whether each word of `filter` is somewhere in key, label or help; case does not count.
 bool matches(const KnobBase& knob, std::string_view filter);
 
+/// The setting with which the picture would depend on the knob, like "frame.view=lit"; where
+/// several values do, "technique.tracer=dda or dda2d". Empty if it does as the settings are. Of two
+/// settings that are needed, the one that comes first.
+std::string what_wakes(const KnobBase& knob, const Settings& settings);
+
 /// False for knobs that these settings make no use of: those of other tracers than the chosen one,
 /// and those of views that are not shown.
-bool is_in_use(const KnobBase& knob, const Settings& settings);
+inline bool is_in_use(const KnobBase& knob, const Settings& settings) {
+    return what_wakes(knob, settings).empty();
+}
 
 } // namespace romascope

@@ -43,8 +43,8 @@ std::string knob_help(const KnobBase& knob, const Session& session) {
         text += "\nUnless set here, the window's.";
     else if (reset != knob.default_value())
         text += fmt::format("\nIn this window: {}", value_text(knob, reset));
-    if (!is_in_use(knob, session.settings()))
-        text += "\nThe picture does not depend on it as the other settings are.";
+    if (const std::string wakes = what_wakes(knob, session.settings()); !wakes.empty())
+        text += fmt::format("\nThe picture depends on it only with {}.", wakes);
     return text;
 }
 

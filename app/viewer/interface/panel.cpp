@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 #include <imgui.h>
+#include <imgui_internal.h>
 #include <imgui_stdlib.h>
 
 #include <algorithm>
@@ -76,27 +77,31 @@ void Panel::draw(Session& session, InterfaceState& state, const Activity& activi
         draw_costs_window(session, map);
 }
 
+Panel::Panel() : width_(kPanelWidth) {}
+
+void Panel::set_width(float font_heights) {
+    width_ = std::max(font_heights, kLeastWidth);
+    screen_width_ = 0.0f; // laid out anew
+}
+
 /// As high as the window. Its width is the user's, but for as long as the window is too small.
 bool Panel::begin_panel() {
     const ImVec2 screen = ImGui::GetIO().DisplaySize;
     const float em = ImGui::GetFontSize();
     const float least = std::min(kLeastWidth * em, screen.x);
-    const bool resized = screen.x != screen_width_;
+    const bool laid_out = screen.x == screen_width_ && em == font_height_;
     screen_width_ = screen.x;
+    font_height_ = em;
     ImGui::SetNextWindowPos({0.0f, 0.0f});
-    if (resized && width_ > 0.0f)
+    if (!laid_out)
         ImGui::SetNextWindowSize({std::clamp(width_ * em, least, screen.x), screen.y});
-    else
-        ImGui::SetNextWindowSize({std::min(kPanelWidth * em, screen.x), screen.y},
-                                 ImGuiCond_FirstUseEver);
     ImGui::SetNextWindowSizeConstraints({least, screen.y}, {screen.x, screen.y});
     const bool open = ImGui::Begin("romascope###panel", nullptr, ImGuiWindowFlags_NoMove);
-    right_edge_ = 0.0f;
-    if (!ImGui::IsWindowCollapsed()) {
-        right_edge_ = ImGui::GetWindowSize().x;
-        if (!resized || width_ == 0.0f)
-            width_ = right_edge_ / em;
-    }
+    const float width = ImGui::GetCurrentWindow()->SizeFull.x; // when collapsed, too
+    right_edge_ = ImGui::IsWindowCollapsed() ? 0.0f : width;
+    if (laid_out && width != shown_width_) // dragged
+        width_ = width / em;
+    shown_width_ = width;
     return open;
 }
 

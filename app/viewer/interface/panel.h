@@ -18,11 +18,16 @@ class UiMap;
 /// The panel at the left edge, as high as the window, and what frames cost at the right one.
 class Panel {
 public:
+    Panel();
     /// Lays both out and does what the user asks of the session; the rest is requested.
     void draw(Session& session, InterfaceState& state, const Activity& activity, UiMap& map,
               Requests& requests);
     /// Where the panel ends, from the left, in ImGui's units.
     float right_edge() const { return right_edge_; }
+    /// How wide the user has made it, in heights of the font. A window without so much room shows
+    /// it narrower.
+    float width() const { return width_; }
+    void set_width(float font_heights);
     /// Seconds until it shows something newer by itself; none while it does not.
     std::optional<double> seconds_to_change() const {
         return costs_shown_ ? costs_.seconds_to_change() : std::nullopt;
@@ -47,8 +52,10 @@ private:
     Costs costs_;
     bool costs_shown_ = false; ///< in the last frame
     float right_edge_ = 0.0f;
-    float width_ = 0.0f;        ///< as the user has it, in heights of the font; 0: not known yet
+    float width_;               ///< as the user has it, in heights of the font
+    float shown_width_ = 0.0f;  ///< in the frame before, in ImGui's units
     float screen_width_ = 0.0f; ///< in the frame before
+    float font_height_ = 0.0f;  ///< in the frame before
 };
 
 } // namespace romascope
