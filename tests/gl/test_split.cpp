@@ -155,6 +155,31 @@ TEST_F(SplitTest, TheTruthStartsAtTheSurface) {
     });
 }
 
+TEST_F(SplitTest, AllLinksInCellsStartWhereTheMethodDoes) {
+    const glm::vec3 normal = glm::normalize(glm::vec3(0.3f, 1.0f, 0.2f));
+    SplitScene scene =
+        seen(rectangle({0, 0, 0}, normal, 3.0f), look_at("above", 2.0f * normal, {0, 0, 0}, 1.0f));
+    settings_.set(kRomaEscape, 0);
+    for (const RomaAlignment alignment : {RomaAlignment::rotate, RomaAlignment::shear}) {
+        settings_.set(kRomaAlignment, alignment);
+        // On the surface, in its own cells, nothing is free, though the exact answer for cells has
+        // an offset of its own when it is the method.
+        settings_.set(kRomaNormalOffset, 0.0);
+        EXPECT_GT(tally(scene, 2).of(Step::voxelisation).false_shadows, 300u);
+        // Far above it everything is, though that offset is nothing.
+        settings_.set(kRomaNormalOffset, 6.0);
+        settings_.set(kDdaNormalOffset, 0.0);
+        EXPECT_EQ(tally(scene, 2).of(Step::voxelisation), StepErrors{});
+        settings_.set(kDdaNormalOffset, 1.5);
+    }
+    // Nor is its escape the method's.
+    settings_.set(kRomaNormalOffset, 0.0);
+    settings_.set(kRomaEscape, 4);
+    const uint64_t with = tally(scene, 2).of(Step::voxelisation).false_shadows;
+    settings_.set(kRomaEscape, 0);
+    EXPECT_LT(2 * with, tally(scene, 2).of(Step::voxelisation).false_shadows);
+}
+
 TEST_F(SplitTest, AFiniteRadiusEndsAllLinks) {
     // Nothing of the box is within 1 cm, off its edges.
     SplitScene scene =
