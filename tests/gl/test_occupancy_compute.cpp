@@ -33,8 +33,14 @@ protected:
     BitGrid build(const Scene& scene, OccupancyCoverage coverage, uint32_t number = 0) {
         settings_.set(kOccupancyCoverage, coverage);
         const GpuScene gpu_scene(scene);
-        map_.build(frame(gpu_scene, settings_, 0, number));
-        return map_.download();
+        const auto built = [&](Invocations invocations) {
+            settings_.set(kOccupancyInvocations, invocations);
+            map_.build(frame(gpu_scene, settings_, 0, number));
+            return map_.download();
+        };
+        const BitGrid by_many = built(Invocations::many);
+        EXPECT_EQ(built(Invocations::few), by_many);
+        return by_many;
     }
 
     /// Builds with both coverages and compares; how many cells are set.

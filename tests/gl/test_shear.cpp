@@ -47,7 +47,7 @@ protected:
 class ShearCases : public ShearTest, public testing::WithParamInterface<Case> {};
 
 TEST_P(ShearCases, MapsEqualTheirTwinBitForBit) {
-    for (const RomaInvocations invocations : {RomaInvocations::few, RomaInvocations::many}) {
+    for (const Invocations invocations : {Invocations::few, Invocations::many}) {
         settings_.set(kRomaInvocations, invocations);
         prepare(GetParam(), 11);
         const ShearPackings packings = shear_packings(grid_.size, shear_guard(GetParam().taps));

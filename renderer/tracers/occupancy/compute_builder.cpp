@@ -9,9 +9,9 @@
 namespace romascope {
 namespace {
 
-/// Columns of cells that one invocation goes through at most, but for what the list has no room
-/// for. A GPU waits for its slowest invocation; software pays for each one that sets a triangle up.
-int columns_in_place() { return is_software_context() ? 256 : 16; }
+/// Columns of cells that a small triangle spans at most. A GPU waits for its slowest invocation;
+/// software pays for each one that sets a triangle up.
+int columns_in_place(bool many) { return many ? 8 : 256; }
 
 ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked) {
     return {name,
@@ -21,12 +21,18 @@ ShaderVariant variant(const char* name, const char* file, OccupancyCoverage cove
             {}};
 }
 
-ShaderVariant small_variant(OccupancyCoverage coverage, bool masked) {
-    return variant("occupy small", "tracers/occupancy/occupy_small.comp.glsl", coverage, masked);
+ShaderVariant small_variant(OccupancyCoverage coverage, bool masked, bool many) {
+    return variant("occupy small",
+                   many ? "tracers/occupancy/occupy_group.comp.glsl"
+                        : "tracers/occupancy/occupy_small.comp.glsl",
+                   coverage, masked);
 }
 
-ShaderVariant large_variant(OccupancyCoverage coverage, bool masked) {
-    return variant("occupy large", "tracers/occupancy/occupy_large.comp.glsl", coverage, masked);
+ShaderVariant large_variant(OccupancyCoverage coverage, bool masked, bool many) {
+    return variant("occupy large",
+                   many ? "tracers/occupancy/occupy_large_group.comp.glsl"
+                        : "tracers/occupancy/occupy_large.comp.glsl",
+                   coverage, masked);
 }
 
 void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene& scene) {
@@ -56,9 +62,9 @@ bool ComputeBuilder::takes(const GpuScene& scene) {
 void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
                            const Texture& map) {
     if (work_list_.bytes() == 0) {
-        const gpu::WorkListHead empty{0, 1, 1, 0};
-        empty_head_ = Buffer::from("empty work list", std::span(&empty, 1));
-        work_list_ = Buffer("work list", bytes_needed() - sizeof(gpu::WorkListHead));
+        constexpr gpu::WorkListHead kEmpty[2] = {{0, 1, 1, 0}, {0, 1, 1, 0}};
+        work_list_ = Buffer("work list", bytes_needed());
+        work_list_.upload(std::as_bytes(std::span(kEmpty)));
     }
     const GpuScene& scene = frame.scene;
     map.bind_image(0, GL_READ_WRITE);
@@ -79,9 +85,10 @@ void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
 void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, bool masked,
                          size_t first, size_t count) {
     const OccupancyCoverage coverage = frame.settings.get(kOccupancyCoverage);
+    const bool many = wants_many(frame.settings.get(kOccupancyInvocations));
     Programs& programs = masked ? masked_ : plain_;
-    const Program& small = programs.small.get(frame.shaders, small_variant(coverage, masked));
-    const Program& large = programs.large.get(frame.shaders, large_variant(coverage, masked));
+    const Program& small = programs.small.get(frame.shaders, small_variant(coverage, masked, many));
+    const Program& large = programs.large.get(frame.shaders, large_variant(coverage, masked, many));
     if (masked) {
         frame.scene.surfaces().bind();
         // A block must have a buffer even where it is not read.
@@ -93,20 +100,21 @@ void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, b
         bind(frame.scene.colors(), 6);
         bind(frame.scene.vertex_materials(), 7);
     }
-    // What the list held before has been read.
-    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
-    glCopyNamedBufferSubData(empty_head_.id(), work_list_.id(), 0, 0, sizeof(gpu::WorkListHead));
+    // The head in use was emptied by the run before, which also has read the entries.
+    head_ = 1 - head_;
+    glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     set_grid(small, grid, frame.scene);
+    small.set("head", static_cast<GLuint>(head_));
     small.set("first_triangle", static_cast<GLuint>(first));
     small.set("triangle_count", static_cast<GLuint>(count));
-    small.set("columns_in_place", columns_in_place());
+    small.set("columns_in_place", columns_in_place(many));
     const auto row = static_cast<size_t>(gpu::kTriangleRow);
     small.dispatch_covering(
         {static_cast<int>(std::min(count, row)), static_cast<int>((count + row - 1) / row), 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     set_grid(large, grid, frame.scene);
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work_list_.id());
-    glDispatchComputeIndirect(0);
+    glDispatchComputeIndirect(static_cast<GLintptr>(head_ * sizeof(gpu::WorkListHead)));
 }
 
 size_t ComputeBuilder::bytes_needed() {
@@ -118,8 +126,10 @@ std::vector<ShaderVariant> ComputeBuilder::variants() {
     for (const OccupancyCoverage coverage :
          {OccupancyCoverage::thin, OccupancyCoverage::conservative}) {
         for (const bool masked : {false, true}) {
-            all.push_back(small_variant(coverage, masked));
-            all.push_back(large_variant(coverage, masked));
+            for (const bool many : {false, true}) {
+                all.push_back(small_variant(coverage, masked, many));
+                all.push_back(large_variant(coverage, masked, many));
+            }
         }
     }
     return all;

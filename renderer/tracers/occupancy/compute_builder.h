@@ -8,8 +8,9 @@
 
 namespace romascope {
 
-/// Finds the cells of each triangle in compute, as triangle_cells.h says: small triangles by one
-/// invocation each, large ones cut into strips by way of a list, so that no invocation works long.
+/// Finds the cells of each triangle in compute, as triangle_cells.h says: small triangles in place,
+/// large ones cut into pieces by way of a list, so that no invocation works long. Either one
+/// invocation does a small triangle, or those of a work group share the columns of several.
 /// The same cells whatever the order of triangles, and the same as `voxelize_on_cpu`.
 ///
 /// A mask is looked up once for each cell and line: thin where the line through the cell's centre
@@ -24,7 +25,7 @@ public:
     /// Adds the scene's cells to `map`.
     void build(const FrameContext& frame, const OccupancyGrid& grid, const Texture& map);
 
-    size_t bytes() const { return work_list_.bytes() + empty_head_.bytes(); }
+    size_t bytes() const { return work_list_.bytes(); }
     /// What bytes() are once built.
     static size_t bytes_needed();
     static std::vector<ShaderVariant> variants();
@@ -37,8 +38,8 @@ private:
              size_t count);
 
     Programs plain_, masked_;
-    Buffer work_list_;  ///< WorkListHead, entries
-    Buffer empty_head_; ///< what the head is before a dispatch
+    Buffer work_list_; ///< two WorkListHead, entries
+    size_t head_ = 0;  ///< which of them is in use
 };
 
 } // namespace romascope

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/settings/knob.h"
+#include "renderer/tracers/occupancy/invocations.h"
 
 namespace romascope {
 
@@ -51,5 +52,14 @@ inline const Knob<OccupancyAxes> kOccupancyAxes{
      .source = "Zeng et al. 2023, section 6"},
     OccupancyAxes::all,
     {"all", "z"}};
+inline const Knob<Invocations> kOccupancyInvocations{
+    {.key = "occupancy.invocations",
+     .unit = "",
+     .help = "Which way the map is built in compute, with the same result: by many small "
+             "invocations of the shader, by few large ones without barriers, or whichever suits "
+             "the device.",
+     .source = "measured: a GPU wants many small invocations, a CPU few without barriers"},
+    Invocations::device,
+    {"device", "many", "few"}};
 
 } // namespace romascope

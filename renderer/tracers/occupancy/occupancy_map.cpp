@@ -22,8 +22,8 @@ glm::vec3 jitter_of_frame(const FrameContext& frame, float amount) {
 } // namespace
 
 std::vector<const KnobBase*> occupancy_knobs() {
-    return {&kOccupancyResolution, &kOccupancyJitter, &kOccupancyBuilder, &kOccupancyCoverage,
-            &kOccupancyAxes};
+    return {&kOccupancyResolution, &kOccupancyJitter, &kOccupancyBuilder,
+            &kOccupancyCoverage,   &kOccupancyAxes,   &kOccupancyInvocations};
 }
 
 void OccupancyMap::build(const FrameContext& frame) {

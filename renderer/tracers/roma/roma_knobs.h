@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "renderer/tracers/occupancy/invocations.h"
 #include "renderer/tracers/occupancy/leaving_knobs.h"
 
 namespace romascope {
@@ -8,7 +9,6 @@ namespace romascope {
 enum class RomaAlignment { rotate, shear };
 enum class RomaFit { box, cube };
 enum class RomaSampling { snap, candidates };
-enum class RomaInvocations { device, many, few };
 
 inline const Knob<RomaAlignment> kRomaAlignment{
     {.key = "roma.alignment",
@@ -83,13 +83,13 @@ inline const Knob<int> kRomaIterations{
     8,
     1,
     64};
-inline const Knob<RomaInvocations> kRomaInvocations{
+inline const Knob<Invocations> kRomaInvocations{
     {.key = "roma.invocations",
      .unit = "",
      .help = "Which way the maps are generated, with the same result: by many small invocations of "
              "the shader, by few large ones without barriers, or whichever suits the device.",
      .source = "measured: a GPU wants many small invocations, a CPU few without barriers"},
-    RomaInvocations::device,
+    Invocations::device,
     {"device", "many", "few"}};
 
 } // namespace romascope

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/roma/roma_tracer.h"
 
+#include "renderer/gl/upload.h"
 #include "renderer/tracers/roma/directions.h"
-#include "renderer/tracers/roma/invocations.h"
 
 namespace romascope {
 namespace {

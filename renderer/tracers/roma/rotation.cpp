@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/roma/rotation.h"
 
+#include "renderer/gl/upload.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
-#include "renderer/tracers/roma/invocations.h"
 #include "renderer/tracers/roma/roma_knobs.h"
 
 namespace romascope {
@@ -40,7 +40,7 @@ void Rotation::build(const FrameContext& frame, const Texture& base, const Occup
     const glm::ivec3 size(side_, side_, static_cast<int>(candidates.size()) * layout.texels);
     if (maps_.size() != size || maps_.format() != layout.format)
         maps_ = Texture("roma maps", GL_TEXTURE_2D_ARRAY, layout.format, size);
-    const bool many = wants_many_invocations(frame.settings);
+    const bool many = wants_many(frame.settings.get(kRomaInvocations));
     const Program& program = program_.get(frame.shaders, rotate_variant(frame.settings, many));
 
     auto pass = frame.timer.compute("roma rotation");

@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/roma/shearing.h"
 
+#include "renderer/gl/upload.h"
 #include "renderer/tracers/occupancy/occupancy_map.h"
-#include "renderer/tracers/roma/invocations.h"
+#include "renderer/tracers/roma/roma_knobs.h"
 
 #include <algorithm>
 
@@ -15,6 +16,8 @@ static_assert(sizeof(gpu::ShearMap) == 2 * 16, "std430 layout of ShearMap");
 
 /// Blocks that one work group of the packing transposes.
 constexpr int kPackedBlocks = 4;
+/// Rows of columns that one of the shear does.
+constexpr int kShearRows = 4;
 
 ShaderVariant pack_variant(bool many) {
     return {"shear pack",
@@ -29,7 +32,7 @@ ShaderVariant shear_variant(const Settings& settings, bool many) {
     std::vector<ShaderDefine> defines = layout.defines();
     defines.push_back({"SHEAR_TAPS", std::to_string(settings.get(kRomaTaps))});
     defines.push_back({"TRANSPOSE_ROWS_APART", many ? "1" : "0"});
-    defines.push_back({"TRANSPOSE_BLOCKS", std::to_string(layout.words_per_texel)});
+    defines.push_back({"TRANSPOSE_BLOCKS", std::to_string(kShearRows)});
     return {"shear", {{GL_COMPUTE_SHADER, "tracers/roma/shear.comp.glsl"}}, defines, {}};
 }
 
@@ -48,7 +51,7 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
         packed_rows_ = TexelBuffer("packed rows", GL_R32UI, packing_words_);
     if (texels_.format() != layout_.format || texels_.texels() < frame_.texels)
         texels_ = TexelBuffer("roma maps", layout_.format, frame_.texels);
-    const bool many = wants_many_invocations(settings);
+    const bool many = wants_many(settings.get(kRomaInvocations));
     const Program& program = shear_program_.get(frame.shaders, shear_variant(settings, many));
     // A driver compiles when a program is first asked for, and the passes are timed.
     pack_program_.get(frame.shaders, pack_variant(many));
@@ -66,7 +69,7 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     const int row = (columns.x + 31) / 32 * (many ? 32 : 1);
     const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels;
     pass.repeat([&] {
-        program.dispatch_covering({row, columns.y * (many ? layout_.words_per_texel : 1), layers});
+        program.dispatch_covering({row, columns.y, layers});
         glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     });
 }

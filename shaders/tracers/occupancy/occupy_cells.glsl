@@ -103,15 +103,18 @@ void mark(ivec3 cell) {
     open_bits |= 1u << (cell.z & 31);
 }
 
-void mark_row(CellTriangle t, int u, CellRange row) {
-    for (int v = row.first; v <= row.last; ++v) {
-        CellRange column = cells_of_column(t, u, v, kConservative);
-        for (int w = column.first; w <= column.last; ++w) {
-            ivec3 cell = ivec3(u, v, w);
-            if (occupied(t, cell))
-                mark(cell_xyz(cell, t.axis));
-        }
+void mark_column(CellTriangle t, int u, int v) {
+    CellRange column = cells_of_column(t, u, v, kConservative);
+    for (int w = column.first; w <= column.last; ++w) {
+        ivec3 cell = ivec3(u, v, w);
+        if (occupied(t, cell))
+            mark(cell_xyz(cell, t.axis));
     }
+}
+
+void mark_row(CellTriangle t, int u, CellRange row) {
+    for (int v = row.first; v <= row.last; ++v)
+        mark_column(t, u, v);
 }
 
 /// Strips of 32 columns along v, aligned to words, row by row of u.
@@ -124,4 +127,18 @@ void mark_strip(CellTriangle t, uint strip) {
     int u = t.first.x + int(strip % rows);
     int block = (t.first.y >> 5) + int(strip / rows);
     mark_row(t, u, cells_of_row(t, u, max(t.first.y, 32 * block), min(t.last.y, 32 * block + 31)));
+}
+
+/// Columns that a triangle spans, row by row of u; none of one that has no cells.
+uint column_count(CellTriangle t) {
+    return t.kind == kCellsNone ? 0u : uint(t.last.x - t.first.x + 1) * uint(t.last.y - t.first.y + 1);
+}
+
+uint piece_count(uint columns) {
+    return min((columns + kColumnsPerPiece - 1u) / kColumnsPerPiece, kMostPieces);
+}
+
+void mark_column(CellTriangle t, uint column) {
+    uint row = uint(t.last.y - t.first.y + 1);
+    mark_column(t, t.first.x + int(column / row), t.first.y + int(column % row));
 }

@@ -8,7 +8,7 @@
 
 layout(local_size_x = kStripsPerPiece) in;
 layout(std430, binding = 4) readonly buffer WorkList {
-    WorkListHead head;
+    WorkListHead heads[2];
     uint entries[];
 };
 

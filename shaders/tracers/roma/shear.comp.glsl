@@ -14,6 +14,16 @@
 
 #if TRANSPOSE_ROWS_APART
 layout(local_size_x = 32, local_size_y = TRANSPOSE_BLOCKS) in;
+#if ROMA_WORDS_PER_TEXEL == 1
+#define TRANSPOSE_ROW uint
+#define SHEAR_TEXEL(words) uvec4(words, 0u, 0u, 0u)
+#elif ROMA_WORDS_PER_TEXEL == 2
+#define TRANSPOSE_ROW uvec2
+#define SHEAR_TEXEL(words) uvec4(words, 0u, 0u)
+#else
+#define TRANSPOSE_ROW uvec4
+#define SHEAR_TEXEL(words) words
+#endif
 #else
 layout(local_size_x = 1, local_size_y = 8) in;
 #endif
@@ -43,10 +53,6 @@ uint cells_of_slice(ShearMap map, ivec3 size, ivec2 first, int slice) {
     return cells;
 }
 
-#if TRANSPOSE_ROWS_APART
-shared uint finished[ROMA_WORDS_PER_TEXEL][32];
-#endif
-
 void main() {
     int layer = int(gl_WorkGroupID.z);
     int part = layer % ROMA_TEXELS_PER_COLUMN;
@@ -54,21 +60,19 @@ void main() {
     ivec3 size = shear_size(shear_grid, map.slope.z);
     int first_slice = 32 * ROMA_WORDS_PER_TEXEL * part;
 #if TRANSPOSE_ROWS_APART
-    ivec2 first = ivec2(32 * int(gl_WorkGroupID.x), int(gl_WorkGroupID.y));
-    if (any(greaterThanEqual(first, size.xy))) // the whole work group
-        return;
+    ivec2 first = ivec2(32 * int(gl_WorkGroupID.x), int(gl_GlobalInvocationID.y));
     int lane = int(gl_LocalInvocationID.x);
-    int word = int(gl_LocalInvocationID.y);
-    uint bits = transposed(cells_of_slice(map, size, first, first_slice + 32 * word + lane));
-    finished[word][lane] = bits;
-    barrier();
-    if (word != 0)
-        return;
-    uvec4 texel = uvec4(0u);
-    for (int i = 0; i < ROMA_WORDS_PER_TEXEL; ++i)
-        texel[i] = finished[i][lane];
-    if (first.x + lane < size.x)
-        imageStore(aligned_maps, shear_texel(map, size.x, first + ivec2(lane, 0), part, ROMA_TEXELS_PER_COLUMN), texel);
+    TRANSPOSE_ROW cells;
+#if ROMA_WORDS_PER_TEXEL == 1
+    cells = cells_of_slice(map, size, first, first_slice + lane);
+#else
+    for (int word = 0; word < ROMA_WORDS_PER_TEXEL; ++word)
+        cells[word] = cells_of_slice(map, size, first, first_slice + 32 * word + lane);
+#endif
+    TRANSPOSE_ROW column = transposed(cells);
+    if (first.y < size.y && first.x + lane < size.x)
+        imageStore(aligned_maps, shear_texel(map, size.x, first + ivec2(lane, 0), part, ROMA_TEXELS_PER_COLUMN),
+                   SHEAR_TEXEL(column));
 #else
     ivec2 first = ivec2(32 * int(gl_WorkGroupID.x), int(gl_GlobalInvocationID.y));
     if (any(greaterThanEqual(first, size.xy)))

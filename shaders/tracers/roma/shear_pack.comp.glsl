@@ -9,6 +9,7 @@
 //       Dispatched over (others, words of a row, 2 x words along z), see main
 #if TRANSPOSE_ROWS_APART
 layout(local_size_x = 32, local_size_y = TRANSPOSE_BLOCKS) in;
+#define TRANSPOSE_ROW uint
 #else
 layout(local_size_x = 1, local_size_y = 8) in;
 #endif

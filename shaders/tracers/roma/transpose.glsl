@@ -3,16 +3,16 @@
 // of row r becomes bit r of row b. By a work group, one row to an invocation, or by one invocation.
 //
 // Host: TRANSPOSE_ROWS_APART 0 or 1; with 1, local_size_x must be 32 and TRANSPOSE_BLOCKS blocks lie
-//       along y in a work group
+//       along y in a work group; TRANSPOSE_ROW uint, or uvec2 to uvec4 for as many blocks at once
 
 /// Bits whose place has the bit `span` unset.
 const uint kLowHalves[5] = uint[5](0x0000FFFFu, 0x00FF00FFu, 0x0F0F0F0Fu, 0x33333333u, 0x55555555u);
 
 #if TRANSPOSE_ROWS_APART
-shared uint transpose_rows[2][TRANSPOSE_BLOCKS][32];
+shared TRANSPOSE_ROW transpose_rows[2][TRANSPOSE_BLOCKS][32];
 
 /// All invocations of the work group come here. Gives row gl_LocalInvocationID.x of the result.
-uint transposed(uint row) {
+TRANSPOSE_ROW transposed(TRANSPOSE_ROW row) {
     uint lane = gl_LocalInvocationID.x, block = gl_LocalInvocationID.y;
     for (int level = 0; level < 5; ++level) {
         int span = 16 >> level;
@@ -20,7 +20,7 @@ uint transposed(uint row) {
         // Two sets of rows in turn, so that one barrier a step is enough.
         transpose_rows[level & 1][block][lane] = row;
         barrier();
-        uint other = transpose_rows[level & 1][block][lane ^ uint(span)];
+        TRANSPOSE_ROW other = transpose_rows[level & 1][block][lane ^ uint(span)];
         row = (lane & uint(span)) == 0u ? (row & low) | ((other & low) << span)
                                         : (row & ~low) | ((other >> span) & low);
     }
