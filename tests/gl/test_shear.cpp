@@ -35,8 +35,7 @@ protected:
     float distance_on_cpu(const RomaTestRay& ray, int map, bool forward) const {
         const ShearedMap& sheared = maps_[static_cast<size_t>(map)];
         const gpu::RomaRay on_map =
-            gpu::shear_ray(sheared.grid, sheared.map, forward, glm::vec3(ray.point),
-                           glm::vec3(ray.normal), ray.direction.w);
+            sheared.ray(forward, glm::vec3(ray.point), glm::vec3(ray.normal), ray.direction.w);
         const auto hit = closest_hit_on_cpu(sheared, on_map, settings_.get(kRomaEscape));
         return hit ? *hit * sheared.map.scale.w : -1.0f;
     }
@@ -130,8 +129,11 @@ TEST_F(ShearTest, MemoryIsThatOfTheCellsAndGrowsOnly) {
     for (size_t map = 0; map < maps_.size(); ++map)
         texels += static_cast<size_t>(shears().size(map).x) * shears().size(map).y;
     EXPECT_EQ(shears().texels, texels); // 128 bits in each
+    // The most columns for 128 slices, and the farthest below and above that a ray may ask for.
+    const size_t places = 16 * 2 * (30 + 2 * (128 + 4) + 1);
     EXPECT_EQ(tracer_.shearing().bytes(), 16 * texels + 4 * shear_packing_words(packings) +
-                                              sizeof(gpu::ShearGrid) + 16 * sizeof(gpu::ShearMap));
+                                              4 * places + sizeof(gpu::ShearGrid) +
+                                              16 * sizeof(gpu::ShearMap));
     // Other candidates have other axes, so other columns: no smaller buffer, no other map.
     const size_t before = tracer_.shearing().bytes();
     for (unsigned seed = 6; seed < 12; ++seed) {

@@ -154,9 +154,8 @@ TEST(Shear, OneTapIsABijectionOfTheCells) {
 
 /// The slices that count, first and last.
 glm::ivec2 interval_of(const ShearedMap& map, glm::ivec2 column) {
-    const int guard = map.grid.columns.w;
-    return {gpu::shear_end(map.map, map.size, guard, column, false),
-            gpu::shear_end(map.map, map.size, guard, column, true) - 1};
+    const gpu::RomaSpan span = map.inside({column, 0, map.size.z - 1, 0});
+    return {span.first, span.last};
 }
 
 TEST(Shear, ColumnsAreWhatTheirCentreLinesPass) {
@@ -292,8 +291,7 @@ TEST(Shear, RaysHitWhatAWalkInDoublePrecisionMeets) {
             const Walk expected = walk(sample, forward, point, normal, offset, t_max, escape);
             if (expected.ambiguous)
                 continue;
-            const gpu::RomaRay ray = gpu::shear_ray(sample.sheared.grid, sample.sheared.map,
-                                                    forward, point, normal, t_max);
+            const gpu::RomaRay ray = sample.sheared.ray(forward, point, normal, t_max);
             const auto found = closest_hit_on_cpu(sample.sheared, ray, escape);
             ASSERT_EQ(found.has_value(), expected.distance.has_value())
                 << "trial " << trial << " ray " << k << " escape " << escape;
@@ -324,8 +322,7 @@ TEST(Shear, AReachEndsAtTheFaceOfACell) {
     const glm::dvec3 up[] = {{0, 0, 1}};
     const ShearedMap map = shear_on_cpu(base, shear_frame(up, grid, 1, 1, 0.0), 0, 1);
     const auto hit = [&](float height, bool forward, float t_max) {
-        return closest_hit_on_cpu(map, gpu::shear_ray(map.grid, map.map, forward,
-                                                      {0.25f, 0.25f, height}, {0, 0, 1}, t_max));
+        return closest_hit_on_cpu(map, map.ray(forward, {0.25f, 0.25f, height}, {0, 0, 1}, t_max));
     };
     EXPECT_EQ(hit(5.0f, true, kInfinity), 30.0f);
     EXPECT_EQ(hit(5.0f, true, 15.0f), std::nullopt); // ends as it would enter the cell

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/roma/shear.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace romascope {
@@ -24,6 +25,16 @@ ShearPackings shear_packings(glm::ivec3 grid_size, int guard) {
 
 size_t shear_packing_words(const ShearPackings& packings) {
     return packings[2].first_word + packings[2].words();
+}
+
+int shear_table_places(glm::ivec3 grid_size, int guard) {
+    int most = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const ShearAxes axes(axis);
+        const int columns = std::max(grid_size[axes.p], grid_size[axes.q]) + 2 * guard;
+        most = std::max(most, columns + 2 * gpu::shear_farthest(grid_size[axes.m]) + 1);
+    }
+    return most;
 }
 
 int dominant_axis(glm::dvec3 direction) {
@@ -57,6 +68,7 @@ ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGr
         shared.first_word[axis] = static_cast<int>(packing.first_word);
         shared.row_words[axis] = packing.row_words;
     }
+    shared.row_words.w = shear_table_places(grid.size, guard);
     constexpr double kOne = 1 << gpu::kShearFractionBits;
     const auto slices_per_cell = [](int steps) {
         return steps == 0 ? 1e9f : static_cast<float>(kOne / std::abs(steps));
@@ -76,6 +88,7 @@ ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGr
                         static_cast<size_t>(packing.columns.y) *
                         static_cast<size_t>(texels_per_column);
     }
+    frame.places = 2 * frame.maps.size() * static_cast<size_t>(shared.row_words.w);
     return frame;
 }
 

@@ -41,6 +41,9 @@ using ShearPackings = std::array<ShearPacking, 3>; ///< by the axis of the slice
 /// at cells beyond it, up to two from it where the column's own cell is in the guard.
 int shear_guard(int taps);
 
+/// Places of an axis in the table of them, for the largest axis of a grid with this guard.
+int shear_table_places(glm::ivec3 grid_size, int guard);
+
 ShearPackings shear_packings(glm::ivec3 grid_size, int guard);
 size_t shear_packing_words(const ShearPackings& packings);
 
@@ -49,6 +52,7 @@ struct ShearFrame {
     gpu::ShearGrid grid;
     std::vector<gpu::ShearMap> maps;
     size_t texels = 0; ///< of all maps, which lie one after the other
+    size_t places = 0; ///< entries of the table of places
 
     /// Columns of a map along p and q, and its slices.
     glm::ivec3 size(size_t map) const { return gpu::shear_size(grid, maps[map].slope.z); }

@@ -11,6 +11,17 @@ std::span<const uint32_t> ShearedMap::column(glm::ivec2 unwrapped) const {
     return std::span(words).subspan(index * count, count);
 }
 
+gpu::RomaSpan ShearedMap::inside(gpu::RomaSpan span) const {
+    return gpu::shear_inside(span, gpu::shear_place_along_p(grid, map, span.column.x),
+                             gpu::shear_place_along_q(grid, map, span.column.y));
+}
+
+gpu::RomaRay ShearedMap::ray(bool forward, glm::vec3 point, glm::vec3 normal, float t_max) const {
+    gpu::RomaRay ray = gpu::shear_ray(grid, map, forward, point, normal, t_max);
+    ray.span = inside(ray.span);
+    return ray;
+}
+
 std::vector<uint32_t> pack_on_cpu(const BitGrid& base, const ShearPackings& packings) {
     std::vector<uint32_t> words(shear_packing_words(packings));
     for (int axis = 0; axis < 3; ++axis) {

@@ -19,6 +19,10 @@ struct ShearedMap {
     int words_per_column() const { return (size.z + 31) / 32; }
     /// The words of an unwrapped column.
     std::span<const uint32_t> column(glm::ivec2 unwrapped) const;
+    /// The cells of a span that its unwrapped column has; its column is wrapped after that.
+    gpu::RomaSpan inside(gpu::RomaSpan span) const;
+    /// A snapped ray, as gpu::shear_ray has it, cut to the cells of its column.
+    gpu::RomaRay ray(bool forward, glm::vec3 point, glm::vec3 normal, float t_max) const;
 };
 
 /// The words of the base map's three packings.

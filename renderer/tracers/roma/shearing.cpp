@@ -49,6 +49,8 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     packing_words_ = shear_packing_words(shear_packings(grid.size, shear_guard(taps)));
     if (packed_rows_.texels() < packing_words_)
         packed_rows_ = TexelBuffer("packed rows", GL_R32UI, packing_words_);
+    if (places_.texels() < frame_.places)
+        places_ = TexelBuffer("shear places", GL_R32UI, frame_.places);
     if (texels_.format() != layout_.format || texels_.texels() < frame_.texels)
         texels_ = TexelBuffer("roma maps", layout_.format, frame_.texels);
     const bool many = wants_many(settings.get(kRomaInvocations));
@@ -59,9 +61,10 @@ void Shearing::build(const FrameContext& frame, const Texture& base, const Occup
     pack(frame, base, grid.size, many);
     auto pass = frame.timer.compute("roma shear");
     program.use();
-    packed_rows_.bind(0);
-    grid_buffer_.bind(GL_UNIFORM_BUFFER, 5);
-    map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    if (many)
+        packed_rows_.bind_storage(0);
+    else
+        packed_rows_.bind(0);
     texels_.bind_image(0, GL_WRITE_ONLY);
     glm::ivec2 columns(0);
     for (size_t map = 0; map < frame_.maps.size(); ++map)
@@ -84,19 +87,24 @@ void Shearing::pack(const FrameContext& frame, const Texture& base, glm::ivec3 s
     program.set("first_word", glm::ivec3(frame_.grid.first_word));
     const glm::ivec2 row_words(frame_.grid.row_words.z, frame_.grid.row_words.x);
     program.set("row_words", row_words);
+    program.set("map_count", static_cast<int>(frame_.maps.size()));
     base.bind(0);
     packed_rows_.bind_storage(0);
+    map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    places_.bind_storage(2);
+    grid_buffer_.bind(GL_UNIFORM_BUFFER, 5);
     const int words = std::max(row_words.x, row_words.y) * (many ? 32 : 1);
     const int others = std::max(size.x, size.y) + 2 * guard;
     const int layers = (size.z + 2 * guard + 31) / 32;
     pass.repeat([&] {
-        program.dispatch_covering({words, others, 2 * layers});
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT);
+        program.dispatch_covering({words, others, 2 * layers + 1});
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_STORAGE_BARRIER_BIT);
     });
 }
 
 void Shearing::bind() const {
     texels_.bind(4);
+    places_.bind(5);
     grid_buffer_.bind(GL_UNIFORM_BUFFER, 5);
     map_buffer_.bind(GL_SHADER_STORAGE_BUFFER, 4);
 }
@@ -112,7 +120,9 @@ size_t Shearing::bytes_needed(const Settings& settings) {
     const ColumnLayout layout = ColumnLayout::of(resolution);
     const auto side = static_cast<size_t>(resolution + 2 * guard);
     const size_t column = layout.texel_bytes() * static_cast<size_t>(layout.texels);
-    return strata * strata * (side * side * column + sizeof(gpu::ShearMap)) +
+    const size_t places =
+        2 * sizeof(GLuint) * static_cast<size_t>(shear_table_places(glm::ivec3(resolution), guard));
+    return strata * strata * (side * side * column + sizeof(gpu::ShearMap) + places) +
            sizeof(gpu::ShearGrid) +
            sizeof(GLuint) * shear_packing_words(shear_packings(glm::ivec3(resolution), guard));
 }

@@ -15,12 +15,13 @@ public:
     void build(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
                std::span<const glm::dvec3> candidates);
 
-    /// For sheared_maps.glsl: texture unit 4, storage block 4 and uniform block 5.
+    /// For sheared_maps.glsl: texture units 4 and 5, storage block 4 and uniform block 5.
     void bind() const;
     static std::vector<ShaderDefine> defines(const Settings& settings);
 
     size_t bytes() const {
-        return texels_.bytes() + grid_buffer_.bytes() + map_buffer_.bytes() + packed_rows_.bytes();
+        return texels_.bytes() + grid_buffer_.bytes() + map_buffer_.bytes() + packed_rows_.bytes() +
+               places_.bytes();
     }
     /// For a scene like a cube, which needs the most.
     static size_t bytes_needed(const Settings& settings);
@@ -39,6 +40,7 @@ private:
     size_t packing_words_ = 0;
     ProgramSlot pack_program_, shear_program_;
     TexelBuffer packed_rows_; ///< R32UI; a frame's may be longer than the next one's
+    TexelBuffer places_;      ///< R32UI, the table of places; likewise
     Buffer grid_buffer_;      ///< std140 ShearGrid
     Buffer map_buffer_;       ///< std430 ShearMap[]
     /// Grows to what the frames so far needed at most: which axes the candidates of a frame have,

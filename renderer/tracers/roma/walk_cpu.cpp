@@ -50,10 +50,7 @@ WalkResult walk_on_cpu(const AlignedMap& map, const gpu::RomaWalk& walk, int ite
 WalkResult walk_on_cpu(const ShearedMap& map, const gpu::RomaWalk& walk, int iterations,
                        int escape) {
     return walk_columns(
-        walk, iterations, escape, map.size.z,
-        [&](gpu::RomaSpan span) {
-            return gpu::shear_inside(map.map, map.size, map.grid.columns.w, span, walk.forward);
-        },
+        walk, iterations, escape, map.size.z, [&](gpu::RomaSpan span) { return map.inside(span); },
         [&](glm::ivec2 place) { return map.column(place); });
 }
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// How large triangles are handed on, in pieces. Either of strips: a strip is a row of up to 32 columns
-// of cells, a piece is 32 strips, one for each invocation of a workgroup. Or of columns that the
-// invocations of a workgroup take in turn.
+// How large triangles are handed on, in pieces. Either of strips: a strip is a row of up to 32
+// columns of cells, a piece is 32 strips, one for each invocation of a workgroup. Or of columns
+// that the invocations of a workgroup take in turn.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus

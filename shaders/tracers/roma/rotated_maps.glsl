@@ -24,7 +24,7 @@ float roma_crossings_in(int map, vec3 direction) {
 }
 
 /// The cells of a span that its column has.
-RomaSpan roma_bounded(int map, RomaSpan span, bool forward) {
+RomaSpan roma_bounded(int map, RomaSpan span) {
     return roma_in_box(span, ROMA_SIDE);
 }
 

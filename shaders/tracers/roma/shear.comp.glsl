@@ -30,7 +30,13 @@ layout(local_size_x = 1, local_size_y = 8) in;
 #include "shaders/tracers/roma/transpose.glsl"
 
 layout(ROMA_FORMAT, binding = 0) writeonly uniform uimageBuffer aligned_maps;
+#if TRANSPOSE_ROWS_APART
+layout(std430, binding = 0) readonly buffer PackedRows { uint packed_rows[]; };
+uint packed_word(int at) { return packed_rows[at]; }
+#else
 layout(binding = 0) uniform usamplerBuffer packed_rows; // a software renderer loads blocks lane by lane
+uint packed_word(int at) { return texelFetch(packed_rows, at).x; }
+#endif
 layout(std140, binding = 5) uniform ShearShared { ShearGrid shear_grid; };
 layout(std430, binding = 1) readonly buffer ShearMaps { ShearMap shear_maps[]; };
 
@@ -46,8 +52,8 @@ uint cells_of_slice(ShearMap map, ivec3 size, ivec2 first, int slice) {
         int word = place.y * shear_grid.row_words[m] + (place.x >> 5);
         int at = shear_grid.first_word[m] + word * size.z + slice;
         int shift = place.x & 31;
-        uint low = texelFetch(packed_rows, at).x >> shift;
-        uint high = texelFetch(packed_rows, at + size.z).x;
+        uint low = packed_word(at) >> shift;
+        uint high = packed_word(at + size.z);
         cells |= shift == 0 ? low : low | (high << (32 - shift));
     }
     return cells;

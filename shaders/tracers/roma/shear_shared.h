@@ -28,7 +28,7 @@ struct ShearGrid {
     ivec4 columns; ///< xyz: cells along x, y, z where those are columns, the guard's included; w:
                    ///< guard cells on each side, always empty
     ivec4 first_word; ///< xyz: of the base map's packing for slices along x, y, z
-    ivec4 row_words;  ///< xyz: words of a row in it
+    ivec4 row_words;  ///< xyz: words of a row in it; w: places of an axis in the table of them
 };
 
 /// The map of one direction. Laid out for std430.
@@ -129,44 +129,71 @@ SHARED_FN int shear_first_moved(int cells, int steepness, float inverse, int str
     return min(slice, count);
 }
 
-/// The slice in which a column's own cell enters the grid or its guard along one axis, or, with
-/// `leaves`, the one in which it has left it. `columns`: cells along the axis with the guard;
-/// `place`: the column's, 0 the first cell of the guard; `inverse`: slices per cell.
-SHARED_FN int shear_border(int columns, int place, int slope, float inverse, bool leaves,
-                           int count) {
+/// What rays need to know of the columns at one place along p or q, unwrapped.
+struct ShearPlace {
+    int first;   ///< the first slice in which their own cells lie in the grid or its guard
+    int end;     ///< the one after the last; there is none if `first` is not before it
+    int wrapped; ///< the place of those that are kept
+};
+
+/// `columns`: along the axis, with the guard; `slope` and `slices_per_cell` along it; `slices`:
+/// all.
+SHARED_FN ShearPlace shear_place(int place, int columns, int guard, int slope,
+                                 float slices_per_cell, int slices) {
+    ShearPlace found;
+    found.wrapped = shear_wrapped(place, columns, 1.0f / float(columns));
     bool falls = slope < 0;
+    int from = place + guard; // 0: the first cell of the guard
     if (falls)
-        place = columns - 1 - place; // seen in a mirror, all slopes rise
-    return shear_first_moved(leaves ? columns - place : -place, abs(slope), inverse, falls ? 1 : 0,
-                             count);
+        from = columns - 1 - from; // seen in a mirror, all slopes rise
+    int strict = falls ? 1 : 0;
+    found.first = shear_first_moved(-from, abs(slope), slices_per_cell, strict, slices);
+    found.end = shear_first_moved(columns - from, abs(slope), slices_per_cell, strict, slices);
+    return found;
 }
 
-/// The first slice in which a column's own cell lies in the grid or its guard, or, with `leaves`,
-/// the one after the last. There is none if the first is not before that.
-SHARED_FN int shear_end(ShearMap map, ivec3 size, int guard, ivec2 column, bool leaves) {
-    int x = shear_border(size.x, column.x + guard, map.slope.x, map.scale.x, leaves, size.z);
-    int y = shear_border(size.y, column.y + guard, map.slope.y, map.scale.y, leaves, size.z);
-    return leaves ? min(x, y) : max(x, y);
+SHARED_FN ShearPlace shear_place_along_p(ShearGrid grid, ShearMap map, int place) {
+    ivec3 size = shear_size(grid, map.slope.z);
+    return shear_place(place, size.x, grid.columns.w, map.slope.x, map.scale.x, size.z);
+}
+SHARED_FN ShearPlace shear_place_along_q(ShearGrid grid, ShearMap map, int place) {
+    ivec3 size = shear_size(grid, map.slope.z);
+    return shear_place(place, size.y, grid.columns.w, map.slope.y, map.scale.y, size.z);
 }
 
-/// Leaves those slices in which the column's own cell lies in the grid or its guard.
-SHARED_FN RomaSpan shear_inside(ShearMap map, ivec3 size, int guard, RomaSpan span, bool forward) {
-    int ahead = shear_end(map, size, guard, span.column, forward);
-    if (forward)
-        span.last = min(span.last, ahead - 1);
-    else
-        span.first = max(span.first, ahead);
-    // Most rays start inside; then the end behind them cuts nothing.
-    ivec2 own = span.column + guard +
-                ivec2(shear_offset(map.slope.x, span.start), shear_offset(map.slope.y, span.start));
-    if (uint(own.x) < uint(size.x) && uint(own.y) < uint(size.y))
-        return span;
-    int behind = shear_end(map, size, guard, span.column, !forward);
-    if (forward)
-        span.first = max(span.first, behind);
-    else
-        span.last = min(span.last, behind - 1);
+/// Leaves those slices of a span in which its column's own cell lies in the grid or its guard, and
+/// wraps the column.
+SHARED_FN RomaSpan shear_inside(RomaSpan span, ShearPlace along_p, ShearPlace along_q) {
+    span.first = max(span.first, max(along_p.first, along_q.first));
+    span.last = min(span.last, min(along_p.end, along_q.end) - 1);
+    span.column = ivec2(along_p.wrapped, along_q.wrapped);
     return span;
+}
+
+// Tracing looks places up in a table: for each map those along p, then those along q, from the one
+// that is farthest below the grid on; grid.row_words.w of each.
+
+/// Columns beyond this many from the grid hold no cell.
+SHARED_FN int shear_farthest(int slices) { return slices + 4; }
+
+/// The entry of a place along p (`axis` 0) or q (1); of one beyond the farthest, that of those.
+SHARED_FN int shear_entry(ShearGrid grid, int map, int axis, int place, int columns, int slices) {
+    int far = shear_farthest(slices);
+    return (2 * map + axis) * grid.row_words.w + clamp(place, -far, columns + far) + far;
+}
+
+/// The place that an entry of the table is for.
+SHARED_FN int shear_place_of_entry(int entry, int slices) { return entry - shear_farthest(slices); }
+
+SHARED_FN uint shear_packed(ShearPlace place) {
+    return uint(place.first) | uint(place.end) << 9 | uint(place.wrapped) << 18;
+}
+SHARED_FN ShearPlace shear_unpacked(uint bits) {
+    ShearPlace place;
+    place.first = int(bits & 511u);
+    place.end = int((bits >> 9) & 511u);
+    place.wrapped = int(bits >> 18);
+    return place;
 }
 
 /// A point in cells of the grid, along p, q and m.
@@ -186,12 +213,12 @@ SHARED_FN vec3 shear_aligned(ShearMap map, vec3 cells) {
 /// The column, unwrapped, that a place lies in. One that is too far to hold any cell may be told as
 /// another such.
 SHARED_FN ivec2 shear_column(ivec3 size, vec3 aligned) {
-    float far = float(size.z + 4);
+    float far = float(shear_farthest(size.z));
     return ivec2(int(floor(clamp(aligned.x, -far, float(size.x) + far))),
                  int(floor(clamp(aligned.y, -far, float(size.y) + far))));
 }
 
-/// A snapped ray; its column is unwrapped. `point`: the surface point, metres; `normal`: unit.
+/// A snapped ray, not yet cut by shear_inside. `point`: the surface point, metres; `normal`: unit.
 /// `t_max`: metres from the surface point, infinity allowed.
 SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 point, vec3 normal,
                             float t_max) {
@@ -205,7 +232,6 @@ SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 poi
     ray.forward = forward;
     ray.span = roma_slices(moved.z, surface.z, reach, forward, size.z);
     ray.span.column = shear_column(size, shear_aligned(map, moved));
-    ray.span = shear_inside(map, size, grid.columns.w, ray.span, forward);
     return ray;
 }
 

@@ -38,7 +38,7 @@ float roma_unsnapped_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
         float border = roma_walk_border(walk);
         bool snapped = i == ROMA_ITERATIONS - 1 && border < stop;
         RomaSpan span = roma_walk_span(walk, snapped ? walk.ends : min(border, stop), count);
-        span = roma_bounded(map, span, walk.forward);
+        span = roma_bounded(map, span);
         int cell = -1;
         if (span.first <= span.last) {
             uint words[ROMA_WORDS];
