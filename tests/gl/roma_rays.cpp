@@ -105,23 +105,33 @@ size_t AlignedMapsTest::expect_twins(const std::vector<RomaTestRay>& rays,
     return hits;
 }
 
-void AlignedMapsTest::expect_walks(const std::vector<RomaTestResult>& results,
-                                   const std::function<RomaTestWalk(size_t)>& walk) const {
-    size_t hits = 0, unfinished = 0;
-    for (size_t i = 0; i < results.size(); ++i) {
-        const RomaTestWalk expected = walk(i);
-        ASSERT_EQ(results[i].given.w, expected.distance) << "ray " << i;
-        ASSERT_EQ(results[i].given.z != 0.0f, expected.distance >= 0.0f) << "ray " << i;
-        hits += expected.distance >= 0.0f;
-        unfinished += expected.unfinished;
+void AlignedMapsTest::expect_unsnapped_twins(
+    const std::function<void()>& prepare,
+    const std::function<WalkResult(const RomaTestRay& ray, int iterations, int escape)>& walk) {
+    settings_.set(kRomaSnap, false);
+    for (const int iterations : {1, 5, 64}) {
+        const int escape = iterations % 3;
+        settings_.set(kRomaIterations, iterations);
+        settings_.set(kRomaEscape, escape);
+        prepare();
+        const std::vector<RomaTestRay> rays = random_rays(4000);
+        const std::vector<RomaTestResult> results = trace(rays);
+        size_t hits = 0, unfinished = 0;
+        for (size_t i = 0; i < rays.size(); ++i) {
+            const WalkResult expected = walk(rays[i], iterations, escape);
+            ASSERT_EQ(results[i].given.w, expected.distance) << "ray " << i;
+            ASSERT_EQ(results[i].given.z != 0.0f, expected.distance >= 0.0f) << "ray " << i;
+            hits += expected.distance >= 0.0f;
+            unfinished += expected.unfinished;
+        }
+        EXPECT_GT(hits, rays.size() / 100);
+        EXPECT_LT(hits, rays.size());
+        // Each ray was traced for any hit and for the closest.
+        const std::vector<NamedCount> counts = tracer_.counts();
+        ASSERT_EQ(counts.size(), 2u);
+        EXPECT_EQ(counts[0].count, 2 * rays.size());
+        EXPECT_EQ(counts[1].count, 2 * unfinished);
     }
-    EXPECT_GT(hits, results.size() / 100);
-    EXPECT_LT(hits, results.size());
-    // Each ray was traced for any hit and for the closest.
-    const std::vector<NamedCount> counts = tracer_.counts();
-    ASSERT_EQ(counts.size(), 2u);
-    EXPECT_EQ(counts[0].count, 2 * results.size());
-    EXPECT_EQ(counts[1].count, 2 * unfinished);
 }
 
 } // namespace romascope

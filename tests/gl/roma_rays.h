@@ -3,6 +3,7 @@
 // own GLSL.
 #pragma once
 
+#include "renderer/tracers/roma/walk_cpu.h"
 #include "tests/gl/gl_test.h"
 
 #include <functional>
@@ -18,12 +19,6 @@ struct RomaTestRay {
 /// snapped. Of the candidate in a place of the walk: its map, the cosine to the normal, both again.
 struct RomaTestResult {
     glm::vec4 given, chosen;
-};
-
-/// What the ray's own direction should give, without snapping.
-struct RomaTestWalk {
-    float distance;
-    bool unfinished;
 };
 
 /// What aligned maps on the CPU say, to the bit.
@@ -49,10 +44,11 @@ protected:
     size_t expect_twins(const std::vector<RomaTestRay>& rays,
                         const std::vector<RomaTestResult>& results, const RomaTwin& twin) const;
 
-    /// Results of tracing with roma.snap off, and what was counted, are to the bit what a twin
-    /// says. `walk`: the twin, for a ray by its place.
-    void expect_walks(const std::vector<RomaTestResult>& results,
-                      const std::function<RomaTestWalk(size_t)>& walk) const;
+    /// With roma.snap off results are to the bit what a twin says, and so is what was counted, for
+    /// few and for many columns. `prepare` aligns maps anew by the settings.
+    void expect_unsnapped_twins(
+        const std::function<void()>& prepare,
+        const std::function<WalkResult(const RomaTestRay& ray, int iterations, int escape)>& walk);
 
     std::mt19937 random_;
     Settings settings_{all_knobs()};

@@ -1,46 +1,18 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/reference/ao_reference.h"
-#include "tests/gl/gl_test.h"
+#include "tests/gl/small_pictures.h"
 
 #include <cmath>
 
 namespace romascope {
 namespace {
 
-class AmbientOcclusionTest : public GlTest {
-protected:
-    AmbientOcclusionTest() {
-        // Small, so that a software rasteriser has done with it soon.
-        settings_.set(kWidth, 32);
-        settings_.set(kHeight, 24);
-        settings_.set(kOccupancyResolution, 64);
-    }
-
-    Image render(const Scene& scene, const Camera& camera, int frames) {
-        Pipeline pipeline(scene, ShaderLibrary());
-        for (int i = 0; i < frames; ++i)
-            pipeline.render(settings_, camera);
-        return pipeline.picture();
-    }
-
-    static double mean(const Image& image) {
-        double sum = 0;
-        for (const float value : image.data)
-            sum += value;
-        return sum / static_cast<double>(image.data.size());
-    }
-
-    Settings settings_{all_knobs()};
-};
+class AmbientOcclusionTest : public SmallPictures {};
 
 TEST_F(AmbientOcclusionTest, AnOpenPlaneIsExactlyOneByCandidates) {
     std::mt19937 random(1);
     for (int i = 0; i < 20; ++i) {
-        const glm::vec3 normal = i == 0 ? glm::vec3(0, 1, 0) : random_direction(random);
-        const glm::vec3 centre = 10.0f * random_direction(random);
-        const Scene scene = scene_of_triangles(rectangle(centre, normal, 3.0f));
-        const Camera camera = look_at(
-            "above", centre + 2.0f * normal + 0.3f * random_direction(random), centre, 1.2f);
+        const auto [scene, camera, normal] = open_plane(random, i == 0);
         settings_.set(kRomaAngularResolution, 2 + i % 7);
         settings_.set(kAoRays, 1 + i % 5);
         settings_.set(kSeed, i);
@@ -104,11 +76,7 @@ TEST_F(AmbientOcclusionTest, ALidIsWeighedByItsCosineWhateverTheNormal) {
 }
 
 TEST_F(AmbientOcclusionTest, NothingBeyondTheRadiusOccludes) {
-    std::vector<glm::vec3> corners = rectangle({0, 0, 0}, {0, 1, 0}, 2.0f);
-    const std::vector<glm::vec3> ceiling = rectangle({0, 2, 0}, {0, -1, 0}, 2.0f);
-    corners.insert(corners.end(), ceiling.begin(), ceiling.end());
-    const Scene scene = scene_of_triangles(corners);
-    const Camera camera = look_at("under", {0, 1, 0}, {0, 0, 0}, 0.2f);
+    const auto [scene, camera, normal] = below_a_ceiling();
     settings_.set(kAoRays, 16);
     settings_.set(kAoRadius, 1.8);
     EXPECT_EQ(mean(render(scene, camera, 4)), 1.0);

@@ -5,6 +5,7 @@
 #include "renderer/tracers/dda/dda_tracer.h"
 #include "renderer/tracers/dda2d/dda2d_tracer.h"
 #include "renderer/tracers/samples/samples_tracer.h"
+#include "tests/gl/small_pictures.h"
 #include "tests/gl/tracer_rays.h"
 #include "tests/support/random_grid.h"
 
@@ -324,28 +325,13 @@ TEST_F(GridTracersTest, TheHierarchyIsTheOrOfItsColumns) {
     }
 }
 
-class GridAmbientOcclusion : public GlTest, public testing::WithParamInterface<const char*> {
+class GridAmbientOcclusion : public SmallPictures, public testing::WithParamInterface<const char*> {
 protected:
     GridAmbientOcclusion() {
-        settings_.set(kWidth, 32);
-        settings_.set(kHeight, 24);
-        settings_.set(kOccupancyResolution, 64);
         settings_.set(kAoRays, 16);
         settings_.set(kSamplesCount, 128); // two in a cell: nearly nothing is missed
         settings_.set(kTracer, GetParam());
     }
-
-    double mean_of(const Scene& scene, const Camera& camera, int frames) {
-        Pipeline pipeline(scene, ShaderLibrary());
-        for (int i = 0; i < frames; ++i)
-            pipeline.render(settings_, camera);
-        double sum = 0;
-        for (const float value : pipeline.picture().data)
-            sum += value;
-        return sum / (32 * 24);
-    }
-
-    Settings settings_{all_knobs()};
 };
 
 TEST_P(GridAmbientOcclusion, AnOpenPlaneIsExactlyOne) {
@@ -353,13 +339,9 @@ TEST_P(GridAmbientOcclusion, AnOpenPlaneIsExactlyOne) {
     // cell further: 1.37 cells at most, below the offset of 1.5.
     std::mt19937 random(1);
     for (int i = 0; i < 8; ++i) {
-        const glm::vec3 normal = i == 0 ? glm::vec3(0, 1, 0) : random_direction(random);
-        const glm::vec3 centre = 10.0f * random_direction(random);
-        const Scene scene = scene_of_triangles(rectangle(centre, normal, 3.0f));
-        const Camera camera = look_at(
-            "above", centre + 2.0f * normal + 0.3f * random_direction(random), centre, 1.2f);
+        const auto [scene, camera, normal] = open_plane(random, i == 0);
         settings_.set(kSeed, i);
-        EXPECT_EQ(mean_of(scene, camera, 2), 1.0)
+        EXPECT_EQ(mean(render(scene, camera, 2)), 1.0)
             << "normal " << normal.x << " " << normal.y << " " << normal.z;
     }
 }
@@ -374,25 +356,19 @@ TEST_P(GridAmbientOcclusion, AWallIsSeenAsTheReferenceSeesIt) {
         const AoQuery query{camera, {32, 24}, 256};
         const AoReference truth =
             ambient_occlusion_reference(scene, query, {}, {.use_cache = false});
-        double sum = 0;
-        for (const float value : truth.visibility.data)
-            sum += value;
         // All pixels see nearly the same point. A cell is 0.16 m: at 1.25 m the wall stands up to a
         // cell nearer, the start 0.24 m higher, each of which moves the mean by up to 0.02.
-        EXPECT_NEAR(mean_of(scene, camera, 8), sum / (32 * 24), 0.03) << distance << " m";
+        EXPECT_NEAR(mean(render(scene, camera, 8)), mean(truth.visibility), 0.03)
+            << distance << " m";
     }
 }
 
 TEST_P(GridAmbientOcclusion, NothingBeyondTheRadiusOccludes) {
-    std::vector<glm::vec3> corners = rectangle({0, 0, 0}, {0, 1, 0}, 2.0f);
-    const std::vector<glm::vec3> ceiling = rectangle({0, 2, 0}, {0, -1, 0}, 2.0f);
-    corners.insert(corners.end(), ceiling.begin(), ceiling.end());
-    const Scene scene = scene_of_triangles(corners);
-    const Camera camera = look_at("under", {0, 1, 0}, {0, 0, 0}, 0.2f);
+    const auto [scene, camera, normal] = below_a_ceiling();
     settings_.set(kAoRadius, 1.8);
-    EXPECT_EQ(mean_of(scene, camera, 2), 1.0);
+    EXPECT_EQ(mean(render(scene, camera, 2)), 1.0);
     settings_.set(kAoRadius, 2.3);
-    const double reached = mean_of(scene, camera, 8);
+    const double reached = mean(render(scene, camera, 8));
     // Rays within acos(2 / 2.3) of the normal reach it, whose cosine weight is sin^2.
     EXPECT_NEAR(reached, (2 / 2.3) * (2 / 2.3), 0.05);
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The rotation and its tracing: GPU against the CPU twin, bit for bit, and both against a walk in
 // double precision that shares no code with them.
-#include "renderer/tracers/roma/walk_cpu.h"
 #include "tests/gl/roma_rays.h"
 
 #include <algorithm>
@@ -179,25 +178,18 @@ TEST_P(RomaCases, EscapingRaysEqualTheirTwinBitForBit) {
 }
 
 TEST_P(RomaCases, UnsnappedRaysEqualTheirTwinBitForBit) {
-    settings_.set(kRomaSnap, false);
-    for (const int iterations : {1, 5, 64}) {
-        const int escape = iterations % 3;
-        settings_.set(kRomaIterations, iterations);
-        settings_.set(kRomaEscape, escape);
-        prepare(GetParam(), 14);
-        const std::vector<RomaTestRay> rays = random_rays(4000);
-        expect_walks(trace(rays), [&](size_t i) {
-            const glm::vec3 direction(rays[i].direction);
+    expect_unsnapped_twins(
+        [&] { prepare(GetParam(), 14); },
+        [&](const RomaTestRay& ray, int iterations, int escape) {
+            const glm::vec3 direction(ray.direction);
             const auto& map = *std::ranges::min_element(maps_, {}, [&](const AlignedMap& one) {
                 return gpu::roma_crossings(gpu::roma_turned(one.direction, direction));
             });
-            const gpu::RomaWalk walk = gpu::roma_walk_in_box(
-                map.direction, glm::vec3(rays[i].point) - bounds_.centre(),
-                glm::vec3(rays[i].normal), direction, rays[i].direction.w, map.side);
-            const WalkResult result = walk_on_cpu(map, walk, iterations, escape);
-            return RomaTestWalk{result.distance, result.unfinished};
+            const gpu::RomaWalk walk =
+                gpu::roma_walk_in_box(map.direction, glm::vec3(ray.point) - bounds_.centre(),
+                                      glm::vec3(ray.normal), direction, ray.direction.w, map.side);
+            return walk_on_cpu(map, walk, iterations, escape);
         });
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(

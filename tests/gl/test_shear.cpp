@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Alignment by shear and its tracing: GPU against the CPU twin, bit for bit.
 // tests/unit/test_shear.cpp has the twin against walks in double precision.
-#include "renderer/tracers/roma/walk_cpu.h"
 #include "tests/gl/roma_rays.h"
 
 #include <algorithm>
@@ -89,25 +88,18 @@ TEST_P(ShearCases, TracingEqualsItsTwinBitForBit) {
 }
 
 TEST_P(ShearCases, UnsnappedRaysEqualTheirTwinBitForBit) {
-    settings_.set(kRomaSnap, false);
-    for (const int iterations : {1, 5, 64}) {
-        const int escape = iterations % 3;
-        settings_.set(kRomaIterations, iterations);
-        settings_.set(kRomaEscape, escape);
-        prepare(GetParam(), 14);
-        const std::vector<RomaTestRay> rays = random_rays(4000);
-        expect_walks(trace(rays), [&](size_t i) {
-            const glm::vec3 direction(rays[i].direction);
+    expect_unsnapped_twins(
+        [&] { prepare(GetParam(), 14); },
+        [&](const RomaTestRay& ray, int iterations, int escape) {
+            const glm::vec3 direction(ray.direction);
             const auto& map = *std::ranges::min_element(maps_, {}, [&](const ShearedMap& one) {
                 return gpu::roma_crossings(gpu::shear_turned_direction(one.map, direction));
             });
             const gpu::RomaWalk walk =
-                gpu::shear_walk(map.grid, map.map, glm::vec3(rays[i].point),
-                                glm::vec3(rays[i].normal), direction, rays[i].direction.w);
-            const WalkResult result = walk_on_cpu(map, walk, iterations, escape);
-            return RomaTestWalk{result.distance, result.unfinished};
+                gpu::shear_walk(map.grid, map.map, glm::vec3(ray.point), glm::vec3(ray.normal),
+                                direction, ray.direction.w);
+            return walk_on_cpu(map, walk, iterations, escape);
         });
-    }
 }
 
 INSTANTIATE_TEST_SUITE_P(
