@@ -21,10 +21,11 @@ constexpr size_t kBytesPerPixel = 45, kComposedBytesPerPixel = 80;
 void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given) {
     const int width = settings.get(kWidth), height = settings.get(kHeight);
     const bool composed = !is_visibility(settings.get(kView));
-    const size_t picture = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height) *
-                           (composed ? kComposedBytesPerPixel : kBytesPerPixel);
+    const size_t pixels = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height);
+    const size_t picture = pixels * (composed ? kComposedBytesPerPixel : kBytesPerPixel);
     const std::string tracer = settings.get(kTracer);
-    const size_t structures = make_tracer(tracer)->bytes_needed(settings);
+    const size_t structures =
+        make_tracer(tracer)->bytes_needed(settings) + SpatialHash::bytes_needed(settings, pixels);
     const size_t triangles = scene_bytes(scene); // once more, as GL's
     const size_t needed = picture + structures + triangles;
     if (needed > left)

@@ -88,6 +88,7 @@ void Pipeline::set_pose(const Pose& pose) {
     lights_.upload(lights_at(source_, pose));
     pose_ = pose;
     mean_.reset();
+    spatial_hash_.clear();
 }
 
 void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {
@@ -99,18 +100,21 @@ void Pipeline::restart_on_change(const Settings& settings, const Camera& camera)
     if (tracer_name_ != name) {
         tracer_ = make_tracer(name);
         tracer_name_ = name;
+        spatial_hash_.clear();
     }
 }
 
-void Pipeline::restart() {
+void Pipeline::restart(uint32_t first_frame) {
     mean_.reset();
-    frame_ = 0;
+    spatial_hash_.clear();
+    frame_ = first_frame;
 }
 
 bool Pipeline::reload_shaders() {
     if (!shaders_.refresh())
         return false;
     mean_.reset();
+    spatial_hash_.clear();
     pose_ = {}; // deformed anew
     shown_ = nullptr;
     return true;
@@ -124,7 +128,7 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
 
     gbuffer_.draw(frame, view);
     tracer_->build(frame);
-    ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
+    estimate(frame, view);
     const Texture& picture = draw_picture(frame, view);
     if (is_of_last_frame(settings.get(kView)))
         mean_.reset();
@@ -133,6 +137,15 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
     ++frame_;
     timer_.collect();
     check_gl_error("the frame");
+}
+
+void Pipeline::estimate(const FrameContext& frame, const View& view) {
+    if (SpatialHash::is_used(frame.settings)) {
+        spatial_hash_.run(frame, view, gbuffer_, *tracer_, ambient_occlusion_);
+    } else {
+        spatial_hash_.release();
+        ambient_occlusion_.run(frame, view, gbuffer_, *tracer_);
+    }
 }
 
 const Texture& Pipeline::shown() {
@@ -150,6 +163,8 @@ const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& vie
         tracer_->draw_view(frame, chosen_structure_view(*tracer_, frame.settings), picture);
         return picture;
     }
+    if (kind == PictureKind::hash)
+        return spatial_hash_.picture();
     compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
     return compose_.picture();
 }
@@ -162,7 +177,11 @@ Image Pipeline::picture() const {
 }
 
 std::vector<NamedCount> Pipeline::counts() const {
-    return tracer_ ? tracer_->counts() : std::vector<NamedCount>{};
+    std::vector<NamedCount> all = spatial_hash_.counts();
+    if (tracer_)
+        for (NamedCount& count : tracer_->counts())
+            all.push_back(std::move(count));
+    return all;
 }
 
 std::vector<StructureBytes> Pipeline::bytes() const {
@@ -174,6 +193,8 @@ std::vector<StructureBytes> Pipeline::bytes() const {
         for (const StructureBytes& structure : tracer_->bytes())
             all.push_back(structure);
     all.push_back(ambient_occlusion_.bytes());
+    for (const StructureBytes& structure : spatial_hash_.bytes())
+        all.push_back(structure);
     for (const StructureBytes& picture : {compose_.bytes(), mean_.bytes(), present_.bytes()})
         if (picture.bytes > 0)
             all.push_back(picture);

@@ -8,6 +8,7 @@
 #include "renderer/passes/deform.h"
 #include "renderer/passes/present.h"
 #include "renderer/reuse/running_mean.h"
+#include "renderer/reuse/spatial_hash/spatial_hash.h"
 
 namespace romascope {
 
@@ -27,8 +28,10 @@ public:
     /// One frame, added to the mean of the frames before it. A change of settings or camera starts
     /// the mean anew; the random sequences go on, so that a moving camera sees new directions.
     void render(const Settings& settings, const Camera& camera);
-    /// Starts mean and random sequences anew: what follows is what a new pipeline would render.
-    void restart();
+    /// Starts mean and random sequences anew, and forgets the spatial hash: what follows is what a
+    /// new pipeline would render. `first_frame`: where the count of frames begins, which goes on
+    /// modulo 2^32.
+    void restart(uint32_t first_frame = 0);
     /// Frames in the mean.
     uint32_t frame_count() const { return mean_.count(); }
 
@@ -53,9 +56,12 @@ public:
     std::vector<StructureBytes> bytes() const;
     /// What the last frame counted, such as rays that were given up. Waits for the GPU.
     std::vector<NamedCount> counts() const;
+    /// Empty unless the settings use it. For tests.
+    const SpatialHash& spatial_hash() const { return spatial_hash_; }
 
 private:
     void restart_on_change(const Settings& settings, const Camera& camera);
+    void estimate(const FrameContext& frame, const View& view);
     const Texture& draw_picture(const FrameContext& frame, const View& view);
 
     ShaderLibrary shaders_;
@@ -68,6 +74,7 @@ private:
     std::string tracer_name_;
     std::unique_ptr<Tracer> tracer_;
     AmbientOcclusion ambient_occlusion_;
+    SpatialHash spatial_hash_;
     SceneLights lights_;
     Compose compose_;
     RunningMean mean_;

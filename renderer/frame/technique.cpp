@@ -6,6 +6,7 @@
 #include "renderer/base/nearest_name.h"
 #include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
 #include "renderer/passes/compose.h"
+#include "renderer/reuse/spatial_hash/hash_knobs.h"
 #include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
@@ -35,7 +36,8 @@ const KnobTable& all_knobs() {
         std::vector<const KnobBase*> knobs = {&kWidth,  &kHeight,   &kFrames, &kSeed,
                                               &kCamera, &kTime,     &kFps,    &kAnimation,
                                               &kTracer, &kAntialias};
-        for (const auto& more : {compose_knobs(), ambient_occlusion_knobs(), tracer_knobs()})
+        for (const auto& more :
+             {compose_knobs(), ambient_occlusion_knobs(), spatial_hash_knobs(), tracer_knobs()})
             knobs.insert(knobs.end(), more.begin(), more.end());
         return KnobTable(knobs);
     }();

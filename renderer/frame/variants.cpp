@@ -71,9 +71,11 @@ std::vector<ShaderVariant> all_shader_variants() {
     for (const Settings& settings : settings_to_try()) {
         if (is_composed(settings.get(kView)))
             add(Compose::variant(settings));
+        for (const ShaderVariant& variant : SpatialHash::variants(settings))
+            add(variant);
         for (const TracerEntry& entry : tracers()) {
             const std::unique_ptr<Tracer> tracer = entry.make();
-            add(AmbientOcclusion::variant(settings, *tracer));
+            add(AmbientOcclusion::variant(settings, *tracer, SpatialHash::is_used(settings)));
             for (const RayQuestion question : {RayQuestion::any_hit, RayQuestion::distance})
                 add(RayList::variant(settings, *tracer, question));
             for (const ShaderVariant& variant : tracer->build_variants(settings))

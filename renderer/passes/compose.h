@@ -14,19 +14,22 @@ enum class PictureKind {
     depth,
     normal,
     base_color,
-    structure
+    structure,
+    hash
 };
 
 inline const Knob<PictureKind> kView{
     {.key = "frame.view",
      .unit = "",
-     .help = "What the picture shows: ambient occlusion alone, the lit scene, or what the camera "
-             "sees of depth, normals and base colours; ambient_occlusion_raw: of the last frame "
-             "alone; structure: a view of the visibility structure, see view.structure.",
+     .help =
+         "What the picture shows: ambient occlusion alone, the lit scene, or what the camera "
+         "sees of depth, normals and base colours; ambient_occlusion_raw: of the last frame "
+         "alone; structure: a view of the visibility structure, see view.structure; hash: of the "
+         "spatial hash, see view.hash.",
      .source = "the estimate itself is what is measured"},
     PictureKind::ambient_occlusion,
     {"ambient_occlusion", "ambient_occlusion_raw", "lit", "depth", "normal", "base_color",
-     "structure"}};
+     "structure", "hash"}};
 inline const Knob<double> kDepthRange{
     {.key = "view.depth_range",
      .unit = "scene diagonals",
@@ -43,11 +46,12 @@ inline bool is_visibility(PictureKind kind) {
 }
 /// Whether the picture is the last frame alone, as what the frames have in it does not add up.
 inline bool is_of_last_frame(PictureKind kind) {
-    return kind == PictureKind::ambient_occlusion_raw || kind == PictureKind::structure;
+    return kind == PictureKind::ambient_occlusion_raw || kind == PictureKind::structure ||
+           kind == PictureKind::hash;
 }
 /// Whether Compose::run draws the picture.
 inline bool is_composed(PictureKind kind) {
-    return !is_visibility(kind) && kind != PictureKind::structure;
+    return !is_visibility(kind) && kind != PictureKind::structure && kind != PictureKind::hash;
 }
 
 /// What lights the lit view.

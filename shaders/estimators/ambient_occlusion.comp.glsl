@@ -4,15 +4,21 @@
 //
 // In:   the G-buffer; "tracer.glsl", chosen by the host
 // Out:  visibility, R16, one value in [0, 1] per pixel and frame: fine enough for any number of rays
-// Host: AO_UNBOUNDED 0 or 1, else radius in metres; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed
+// Host: AO_UNBOUNDED 0 or 1, else radius in metres; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed;
+//       AO_MASKED 0 or 1: only pixels of trace_mask with kTraceBit are traced and written
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
+#include "shaders/common/tangent_frame.glsl"
 #include "tracer.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(r16, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed_key;
 uniform uint frame;
+#if AO_MASKED
+#include "shaders/estimators/trace_mask.h"
+layout(binding = 2) uniform usampler2D trace_mask;
+#endif
 #if AO_UNBOUNDED
 #define RAY_LENGTH uintBitsToFloat(0x7F800000u) // a constant, so that the ray's end costs nothing
 #else
@@ -57,17 +63,12 @@ int free_rays(ivec2 pixel, Surface surface) {
     return free;
 }
 #else
-/// Cosine-distributed unit direction about the normal (Malley: a uniform disc, lifted), in the frame
-/// of Duff et al. 2017, Building an Orthonormal Basis, Revisited.
+/// Cosine-distributed unit direction about the normal (Malley: a uniform disc, lifted).
 vec3 cosine_direction(vec3 normal, vec2 u) {
-    float side = normal.z >= 0.0 ? 1.0 : -1.0;
-    float a = -1.0 / (side + normal.z);
-    float b = normal.x * normal.y * a;
-    vec3 tangent = vec3(1.0 + side * normal.x * normal.x * a, side * b, -side * normal.x);
-    vec3 bitangent = vec3(b, side + normal.y * normal.y * a, -normal.y);
+    mat2x3 tangents = tangent_frame(normal);
     float angle = 6.28318530718 * u.x;
     vec2 disc = sqrt(u.y) * vec2(cos(angle), sin(angle));
-    return disc.x * tangent + disc.y * bitangent + sqrt(1.0 - u.y) * normal;
+    return disc.x * tangents[0] + disc.y * tangents[1] + sqrt(1.0 - u.y) * normal;
 }
 
 int free_rays(ivec2 pixel, Surface surface) {
@@ -88,6 +89,10 @@ void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, picture_size)))
         return;
+#if AO_MASKED
+    if ((texelFetch(trace_mask, pixel, 0).x & kTraceBit) == 0u)
+        return;
+#endif
     Surface surface = surface_at(pixel);
     float value = surface.background ? 1.0 : float(free_rays(pixel, surface)) / float(AO_RAYS);
     imageStore(visibility, pixel, vec4(value));

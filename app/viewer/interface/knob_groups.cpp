@@ -3,6 +3,7 @@
 
 #include "renderer/frame/technique.h"
 #include "renderer/passes/compose.h"
+#include "renderer/reuse/spatial_hash/spatial_hash.h"
 #include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
@@ -28,6 +29,7 @@ constexpr std::pair<std::string_view, std::string_view> kTitles[] = {
     {"dda2d", "2D DDA"},
     {"samples", "Samples along a ray"},
     {"ao", "Ambient occlusion"},
+    {"hash", "Spatial hash"},
 };
 
 size_t place_of(std::string_view group) {
@@ -61,6 +63,8 @@ std::string lower(std::string_view text) {
 
 /// What a knob of views is for.
 PictureKind view_of(const KnobBase& knob) {
+    if (&knob == &kHashView)
+        return PictureKind::hash;
     return &knob == &kDepthRange ? PictureKind::depth : PictureKind::structure;
 }
 
@@ -107,6 +111,8 @@ std::string what_wakes(const KnobBase& knob, const Settings& settings) {
         if (settings.get(kView) != wanted)
             return fmt::format("{}={}", kView.key(), to_text(kView.to_value(wanted)));
     }
+    if (group == "hash" && &knob != &kHashEnabled && !SpatialHash::is_used(settings))
+        return fmt::format("{}=true", kHashEnabled.key());
     if (!is_of_other_tracer(knob, settings.get(kTracer)))
         return {};
     std::vector<std::string_view> names;

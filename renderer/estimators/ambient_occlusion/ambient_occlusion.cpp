@@ -15,12 +15,14 @@ float ambient_occlusion_radius(const Settings& settings) {
     return radius > std::numeric_limits<float>::max() ? kInfinity : static_cast<float>(radius);
 }
 
-ShaderVariant AmbientOcclusion::variant(const Settings& settings, const Tracer& tracer) {
+ShaderVariant AmbientOcclusion::variant(const Settings& settings, const Tracer& tracer,
+                                        bool masked) {
     std::vector<ShaderDefine> defines = tracer.shader_defines(settings);
     for (ShaderDefine& define : shader_defines(settings, {&kAoRays}))
         defines.push_back(std::move(define));
     defines.push_back({"AO_UNBOUNDED", std::isinf(ambient_occlusion_radius(settings)) ? "1" : "0"});
     defines.push_back({"SAMPLE_CANDIDATES", tracer.sample_candidates(settings) ? "1" : "0"});
+    defines.push_back({"AO_MASKED", masked ? "1" : "0"});
     return {"ambient occlusion",
             {{GL_COMPUTE_SHADER, "estimators/ambient_occlusion.comp.glsl"}},
             defines,
@@ -28,11 +30,12 @@ ShaderVariant AmbientOcclusion::variant(const Settings& settings, const Tracer& 
 }
 
 void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
-                           const Tracer& tracer) {
+                           const Tracer& tracer, const Texture* mask) {
     const glm::ivec3 extent(view.size, 1);
     if (visibility_.size() != extent)
         visibility_ = Texture("visibility", GL_TEXTURE_2D, GL_R16, extent);
-    const Program& program = program_.get(frame.shaders, variant(frame.settings, tracer));
+    const Program& program =
+        program_.get(frame.shaders, variant(frame.settings, tracer, mask != nullptr));
 
     auto pass = frame.timer.compute("ambient occlusion");
     program.use();
@@ -40,6 +43,8 @@ void AmbientOcclusion::run(const FrameContext& frame, const View& view, const GB
     program.set("seed_key", gpu::pcg_hash(frame.seed));
     program.set("frame", frame.frame);
     gbuffer.bind_surface();
+    if (mask)
+        mask->bind(2);
     program.set("radius", ambient_occlusion_radius(frame.settings));
     tracer.bind(program);
     visibility_.bind_image(0, GL_WRITE_ONLY);

@@ -36,12 +36,14 @@ float ambient_occlusion_radius(const Settings& settings);
 /// equation 1), for one frame; with any tracer.
 class AmbientOcclusion {
 public:
+    /// `mask`: RG32UI of the picture's size, which says where to trace, see
+    /// shaders/estimators/trace_mask.h; elsewhere visibility stays as it is. Null: everywhere.
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
-             const Tracer& tracer);
+             const Tracer& tracer, const Texture* mask = nullptr);
     const Texture& visibility() const { return visibility_; } ///< R16, 1: open
     StructureBytes bytes() const { return {"visibility", visibility_.bytes()}; }
 
-    static ShaderVariant variant(const Settings& settings, const Tracer& tracer);
+    static ShaderVariant variant(const Settings& settings, const Tracer& tracer, bool masked);
 
 private:
     ProgramSlot program_;
