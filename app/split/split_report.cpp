@@ -59,6 +59,22 @@ std::string table_block(const Tally& tally) {
     return text + table_line("difference, %", tally, share(&StepErrors::difference), true);
 }
 
+/// A line for each variant: what compares methods, whether they have candidates or not.
+std::string summary(const std::vector<SplitResult>& results) {
+    std::string text =
+        fmt::format("\n{:>9} {:>9} {:>14} {:>12}  of all rays, along their own directions\n",
+                    "wrong, %", "leaks, %", "false shadows", "difference");
+    for (const SplitResult& result : results) {
+        const Tally tally = result.all();
+        const StepErrors& own = tally.of(Step::own_direction);
+        text +=
+            fmt::format("{:>9.3f} {:>9.3f} {:>14.3f} {:>+12.3f}  {}\n", percent(own.wrong(), tally),
+                        percent(own.leaks, tally), percent(own.false_shadows, tally),
+                        percent(own.difference(), tally), result.variant);
+    }
+    return text;
+}
+
 } // namespace
 
 Tally SplitResult::all() const {
@@ -87,7 +103,7 @@ std::string split_table(const Facts& facts, const std::vector<std::string>& scen
                 [&](const StepErrors& step) { return percent(step.wrong(), tally); }, false);
         }
     }
-    return text;
+    return text + summary(results);
 }
 
 std::string split_csv(const Facts& facts, const std::vector<std::string>& scenes,

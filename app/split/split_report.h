@@ -17,7 +17,7 @@ struct SplitResult {
     Tally all() const;
 };
 
-/// A block for each variant.
+/// A block for each variant, then a line for each.
 std::string split_table(const Facts& facts, const std::vector<std::string>& scenes,
                         const std::vector<SplitResult>& results);
 /// Facts as lines "# name: text", then a line of columns, then one for each variant, scene and
