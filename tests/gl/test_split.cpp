@@ -256,9 +256,8 @@ TEST_F(SplitTest, AListOfRaysIsWhatTheTwinSays) {
             if (alignment == RomaAlignment::shear) {
                 const ShearedMap& twin = sheared[map];
                 slices = closest_hit_on_cpu(twin,
-                                            gpu::shear_ray(twin.grid, twin.map,
-                                                           gpu::shear_is_forward(twin.map, towards),
-                                                           ray.point, ray.normal, ray.t_max),
+                                            twin.ray(gpu::shear_is_forward(twin.map, towards),
+                                                     ray.point, ray.normal, ray.t_max),
                                             1);
                 metres = twin.map.scale.w;
             } else {
