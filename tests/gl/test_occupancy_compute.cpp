@@ -5,6 +5,8 @@
 #include "tests/gl/gl_test.h"
 #include "tests/support/random_triangles.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <bit>
 
@@ -76,10 +78,13 @@ protected:
 
 TEST_F(OccupancyComputeTest, EqualsTheTwinForTrianglesOfAllKinds) {
     for (int kind = 0; kind < kTriangleKinds; ++kind) {
-        SCOPED_TRACE(kind);
-        const auto which = static_cast<TriangleKind>(kind);
-        const size_t set = expect_twin(scene_in_cells(corners_of({which}, 60, 5)), 3);
-        EXPECT_GT(set, which == TriangleKind::point ? 50u : 100u);
+        for (const int count : {30, 60}) { // few are taken in another way
+            SCOPED_TRACE(fmt::format("{} of kind {}", count, kind));
+            const auto which = static_cast<TriangleKind>(kind);
+            const size_t set = expect_twin(scene_in_cells(corners_of({which}, count, 5)), 3);
+            const int least = which == TriangleKind::point ? count * 5 / 6 : count * 5 / 3;
+            EXPECT_GT(set, static_cast<size_t>(least));
+        }
     }
 }
 

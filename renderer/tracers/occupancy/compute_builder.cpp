@@ -13,6 +13,9 @@ namespace {
 /// software pays for each one that sets a triangle up.
 int columns_in_place(bool many) { return many ? 8 : 256; }
 
+/// A GPU takes so few triangles for large ones without asking: to find that out takes longer.
+constexpr size_t kFewTriangles = 48;
+
 ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked) {
     return {name,
             {{GL_COMPUTE_SHADER, file}},
@@ -100,6 +103,16 @@ void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, b
         bind(frame.scene.colors(), 6);
         bind(frame.scene.vertex_materials(), 7);
     }
+    set_grid(large, grid, frame.scene);
+    if (many) {
+        const bool few_triangles = count <= kFewTriangles;
+        large.set("every_piece", static_cast<int>(few_triangles));
+        large.set("first_triangle", static_cast<GLuint>(first));
+        if (few_triangles) {
+            glDispatchCompute(gpu::kMostPieces, static_cast<GLuint>(count), 1);
+            return;
+        }
+    }
     // The head in use was emptied by the run before, which also has read the entries.
     head_ = 1 - head_;
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
@@ -112,7 +125,7 @@ void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, b
     small.dispatch_covering(
         {static_cast<int>(std::min(count, row)), static_cast<int>((count + row - 1) / row), 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
-    set_grid(large, grid, frame.scene);
+    large.use();
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, work_list_.id());
     glDispatchComputeIndirect(static_cast<GLintptr>(head_ * sizeof(gpu::WorkListHead)));
 }

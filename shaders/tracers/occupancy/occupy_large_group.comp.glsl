@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Marks the cells of the large triangles that occupy_group.comp.glsl listed: one work group a piece,
-// its invocations take the piece's columns in turn.
+// Marks the cells of large triangles: one work group a piece, its invocations take the piece's
+// columns in turn. Of those that occupy_group.comp.glsl listed, or, where a scene has few, of all:
+// each piece that any triangle could have.
 //
 // In:   work list
-// Host: see occupy_cells.glsl
+// Host: every_piece: of all triangles from first_triangle on, dispatched over (kMostPieces,
+//       triangles); else dispatched over the list; see occupy_cells.glsl for the rest
 #include "shaders/tracers/occupancy/occupy_cells.glsl"
 
 layout(local_size_x = kGroupTriangles) in;
@@ -11,14 +13,22 @@ layout(std430, binding = 4) readonly buffer WorkList {
     WorkListHead heads[2];
     uint entries[];
 };
+uniform bool every_piece;
+uniform uint first_triangle;
 
 void main() {
-    uint entry = entries[gl_WorkGroupID.x];
-    CellTriangle t = load_triangle(entry >> kPieceBits);
-    uint piece = entry & ((1u << kPieceBits) - 1u);
+    uint triangle = first_triangle + gl_WorkGroupID.y, piece = gl_WorkGroupID.x;
+    if (!every_piece) {
+        uint entry = entries[gl_WorkGroupID.x];
+        triangle = entry >> kPieceBits;
+        piece = entry & (kMostPieces - 1u);
+    }
+    CellTriangle t = load_triangle(triangle);
     uint columns = column_count(t);
-    uint step = piece_count(columns) * kGroupTriangles;
-    for (uint column = piece * kGroupTriangles + gl_LocalInvocationIndex; column < columns; column += step)
+    uint pieces = piece_count(columns);
+    if (piece >= pieces)
+        return;
+    for (uint column = piece * kGroupTriangles + gl_LocalInvocationIndex; column < columns; column += pieces * kGroupTriangles)
         mark_column(t, column);
     close_texel();
 }

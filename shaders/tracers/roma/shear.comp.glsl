@@ -52,9 +52,7 @@ uint cells_of_slice(ShearMap map, ivec3 size, ivec2 first, int slice) {
         int word = place.y * shear_grid.row_words[m] + (place.x >> 5);
         int at = shear_grid.first_word[m] + word * size.z + slice;
         int shift = place.x & 31;
-        uint low = packed_word(at) >> shift;
-        uint high = packed_word(at + size.z);
-        cells |= shift == 0 ? low : low | (high << (32 - shift));
+        cells |= (packed_word(at) >> shift) | ((packed_word(at + size.z) << 1) << (31 - shift));
     }
     return cells;
 }

@@ -99,11 +99,11 @@ SHARED_FN ivec2 shear_tap(ivec2 slope, int slice, int tap, int taps) {
            kShearFractionBits;
 }
 
-/// A place among `count` that repeat, for any place within 2^20 of them. `inverse`: 1 / count.
+/// A place among `count` <= 512 that repeat, for any place within 4096 of them. `inverse`:
+/// 1 / count. Half a place from where periods begin, rounding, which is below a thousandth of a
+/// place, decides nothing.
 SHARED_FN int shear_wrapped(int place, int count, float inverse) {
-    EXACT float periods = float(place) * inverse;
-    int rest = place - int(floor(periods)) * count; // off by one period at most
-    return rest < 0 ? rest + count : rest >= count ? rest - count : rest;
+    return place - int(floor((float(place) + 0.5f) * inverse)) * count;
 }
 
 SHARED_FN ivec2 shear_wrapped_column(ShearGrid grid, int m, ivec2 column) {

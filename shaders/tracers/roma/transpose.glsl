@@ -21,8 +21,11 @@ TRANSPOSE_ROW transposed(TRANSPOSE_ROW row) {
         transpose_rows[level & 1][block][lane] = row;
         barrier();
         TRANSPOSE_ROW other = transpose_rows[level & 1][block][lane ^ uint(span)];
-        row = (lane & uint(span)) == 0u ? (row & low) | ((other & low) << span)
-                                        : (row & ~low) | ((other >> span) & low);
+        // The half that comes from the other row is turned into its place.
+        bool first = (lane & uint(span)) == 0u;
+        int turn = first ? span : 32 - span;
+        uint keep = first ? low : ~low;
+        row = (row & keep) | (((other << turn) | (other >> (32 - turn))) & ~keep);
     }
     return row;
 }
