@@ -37,6 +37,9 @@ picture_test(thin_fence_ao ARGS thin --camera fence --size 160x90 --frames 4 MAX
 picture_test(dancers_stalls_lit_at_0_7 ARGS dancers --camera stalls --time 0.7 --size 160x90 --frames 4 --set frame.view=lit MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(dancers_wing_ao_at_1_1 ARGS dancers --camera wing --time 1.1 --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(dancers_above_normal_moving ARGS dancers --camera above --fps 24 --size 160x90 --frames 9 --set frame.view=normal MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
+picture_test(hall_nave_ao_hash ARGS hall --camera nave --size 160x90 --frames 16 --technique roma-hash MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(cornell_corner_ao_hash ARGS cornell --camera corner --size 160x90 --frames 4 --technique roma-hash --set ao.radius=inf MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(street_pavement_ao_hash_full ARGS street --camera pavement --size 160x90 --frames 4 --technique roma-hash --set hash.capacity=10 MAX 255 FAILING 0 MEAN 3 REASON "which pixels find room in a full table depends on the order in which they ask")
 
 # Views of intermediate results.
 set(cells "a triangle that grazes a cell's centre may fall to either side of it")
@@ -47,3 +50,5 @@ picture_test(hall_occupancy_slice_x ARGS hall --size 160x90 --set frame.view=str
 picture_test(cornell_occupancy_slice_z ARGS cornell --size 90x160 --set frame.view=structure --set view.structure=occupancy_slice --set view.axis=z --set view.slice=0.4 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
 picture_test(hall_map_slice ARGS hall --size 160x90 --set frame.view=structure --set view.structure=map_slice --set view.map=5 MAX 2 FAILING 0.01 MEAN 1 REASON ${cells})
 picture_test(hall_map_columns ARGS hall --size 160x90 --set frame.view=structure --set view.structure=map_columns --set view.map=255 MAX 2 FAILING 0.01 MEAN 0.5 REASON ${cells})
+picture_test(hall_nave_hash_cells ARGS hall --camera nave --size 160x90 --technique roma-hash --set frame.view=hash --set hash.footprint=8 MAX 2 FAILING 0.02 MEAN 1.5 REASON "a point at the border of two cells may fall to either side of it")
+picture_test(hall_nave_hash_samples ARGS hall --camera nave --size 160x90 --frames 8 --technique roma-hash --set frame.view=hash --set view.hash=samples MAX 2 FAILING 0.02 MEAN 1 REASON "as for cells")
