@@ -22,7 +22,9 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
     const int width = settings.get(kWidth), height = settings.get(kHeight);
     const bool composed = !is_visibility(settings.get(kView));
     const size_t pixels = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height);
-    const size_t picture = pixels * (composed ? kComposedBytesPerPixel : kBytesPerPixel);
+    const size_t per_pixel = (composed ? kComposedBytesPerPixel : kBytesPerPixel) +
+                             ScreenReuse::bytes_per_pixel(settings, !scene.motion.empty());
+    const size_t picture = pixels * per_pixel;
     const std::string tracer = settings.get(kTracer);
     const size_t structures =
         make_tracer(tracer)->bytes_needed(settings) + SpatialHash::bytes_needed(settings, pixels);
@@ -93,7 +95,7 @@ AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& s
     query.size = {settings.get(kWidth), settings.get(kHeight)};
     query.samples = samples;
     query.radius = ambient_occlusion_radius(settings);
-    query.pixel_jitter = settings.get(kAntialias);
+    query.pixel_jitter = is_antialiased(settings);
     // The truth does not follow the seed of what it judges.
     return ambient_occlusion_reference(scene, query, reference_progress(),
                                        {.use_cache = use_cache});

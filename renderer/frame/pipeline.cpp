@@ -3,6 +3,7 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/nearest_name.h"
+#include "renderer/frame/jump.h"
 #include "renderer/tracers/structure_view.h"
 #include "shaders/common/random.h"
 
@@ -18,7 +19,7 @@ constexpr float kNearPlanePerDiagonal = 1e-5f;
 
 /// Sub-pixel shift of a frame in [-0.5, 0.5)^2 pixels.
 glm::vec2 picture_offset(const Settings& settings, uint32_t frame) {
-    if (!settings.get(kAntialias))
+    if (!is_antialiased(settings))
         return glm::vec2(0.0f);
     const glm::uvec2 place = gpu::r2_sequence(frame, glm::uvec2(0x80000000u));
     return glm::vec2(gpu::unit_float(place.x), gpu::unit_float(place.y)) - 0.5f;
@@ -83,8 +84,10 @@ Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
 void Pipeline::set_pose(const Pose& pose) {
     if (source_.motion.empty() || pose == pose_)
         return;
-    if (!source_.motion.parts.empty())
+    if (!source_.motion.parts.empty()) {
         deform_.run(shaders_, timer_, scene_, source_.motion, pose);
+        moved_ = true;
+    }
     lights_.upload(lights_at(source_, pose));
     pose_ = pose;
     mean_.reset();
@@ -94,6 +97,11 @@ void Pipeline::set_pose(const Pose& pose) {
 void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {
     if (last_settings_ != settings || !same_camera(last_camera_, camera))
         mean_.reset();
+    const Jump jump = last_settings_ ? jump_between(*last_settings_, settings) : Jump::everything;
+    if (jump == Jump::everything)
+        reuse_.reset();
+    if (jump == Jump::picture)
+        reuse_.reset_picture();
     last_settings_ = settings;
     last_camera_ = camera;
     const std::string name = settings.get(kTracer);
@@ -106,6 +114,7 @@ void Pipeline::restart_on_change(const Settings& settings, const Camera& camera)
 
 void Pipeline::restart(uint32_t first_frame) {
     mean_.reset();
+    reuse_.reset();
     spatial_hash_.clear();
     frame_ = first_frame;
 }
@@ -115,6 +124,7 @@ bool Pipeline::reload_shaders() {
         return false;
     mean_.reset();
     spatial_hash_.clear();
+    reuse_.reset();
     pose_ = {}; // deformed anew
     shown_ = nullptr;
     return true;
@@ -126,11 +136,15 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
         settings, shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)), frame_};
     const View view = view_of_frame(settings, camera, scene_.bounds(), frame_);
 
-    gbuffer_.draw(frame, view);
+    gbuffer_.draw(frame, view,
+                  scene_.has_previous_positions() && ScreenReuse::looks_back(settings));
     tracer_->build(frame);
     estimate(frame, view);
-    const Texture& picture = draw_picture(frame, view);
-    if (is_of_last_frame(settings.get(kView)))
+    const Texture& visibility =
+        reuse_.filter(frame, view, gbuffer_, ambient_occlusion_.visibility());
+    const Texture& picture = draw_picture(frame, view, visibility);
+    remember_frame(frame, view);
+    if (is_of_last_frame(settings.get(kView)) || !settings.get(kMean))
         mean_.reset();
     shown_ = nullptr;
     mean_.add(frame, picture);
@@ -154,9 +168,12 @@ const Texture& Pipeline::shown() {
     return *shown_;
 }
 
-const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& view) {
+const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& view,
+                                      const Texture& visibility) {
     const PictureKind kind = frame.settings.get(kView);
-    if (is_visibility(kind))
+    if (kind == PictureKind::ambient_occlusion)
+        return reuse_.antialias(frame, view, gbuffer_, visibility);
+    if (kind == PictureKind::ambient_occlusion_raw)
         return ambient_occlusion_.visibility();
     if (kind == PictureKind::structure) {
         const Texture& picture = compose_.picture_of_size(view.size);
@@ -165,8 +182,22 @@ const Texture& Pipeline::draw_picture(const FrameContext& frame, const View& vie
     }
     if (kind == PictureKind::hash)
         return spatial_hash_.picture();
-    compose_.run(frame, view, gbuffer_, lights_, ambient_occlusion_.visibility());
-    return compose_.picture();
+    if (kind == PictureKind::history) {
+        const Texture& picture = compose_.picture_of_size(view.size);
+        reuse_.draw_history(frame, view, gbuffer_, picture);
+        return picture;
+    }
+    compose_.run(frame, view, gbuffer_, lights_, visibility);
+    return reuse_.antialias(frame, view, gbuffer_, compose_.picture());
+}
+
+void Pipeline::remember_frame(const FrameContext& frame, const View& view) {
+    reuse_.end_frame(frame, view, gbuffer_);
+    if (source_.motion.parts.empty() || !ScreenReuse::looks_back(frame.settings))
+        return;
+    if (moved_ || !scene_.has_previous_positions())
+        scene_.remember_positions();
+    moved_ = false;
 }
 
 Image Pipeline::picture() const {
@@ -195,9 +226,14 @@ std::vector<StructureBytes> Pipeline::bytes() const {
     all.push_back(ambient_occlusion_.bytes());
     for (const StructureBytes& structure : spatial_hash_.bytes())
         all.push_back(structure);
+    const auto add_if_any = [&all](const StructureBytes& structure) {
+        if (structure.bytes > 0)
+            all.push_back(structure);
+    };
+    for (const StructureBytes& structure : reuse_.bytes())
+        add_if_any(structure);
     for (const StructureBytes& picture : {compose_.bytes(), mean_.bytes(), present_.bytes()})
-        if (picture.bytes > 0)
-            all.push_back(picture);
+        add_if_any(picture);
     return all;
 }
 

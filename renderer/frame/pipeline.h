@@ -8,6 +8,7 @@
 #include "renderer/passes/deform.h"
 #include "renderer/passes/present.h"
 #include "renderer/reuse/running_mean.h"
+#include "renderer/reuse/screen_reuse.h"
 #include "renderer/reuse/spatial_hash/spatial_hash.h"
 
 namespace romascope {
@@ -26,11 +27,12 @@ public:
     void set_pose(const Pose& pose);
 
     /// One frame, added to the mean of the frames before it. A change of settings or camera starts
-    /// the mean anew; the random sequences go on, so that a moving camera sees new directions.
+    /// the mean anew, and histories where what they hold is no longer asked for; the random
+    /// sequences go on, so that a moving camera sees new directions.
     void render(const Settings& settings, const Camera& camera);
-    /// Starts mean and random sequences anew, and forgets the spatial hash: what follows is what a
-    /// new pipeline would render. `first_frame`: where the count of frames begins, which goes on
-    /// modulo 2^32.
+    /// Starts mean, histories and random sequences anew, and forgets the spatial hash: what follows
+    /// is what a new pipeline would render. `first_frame`: where the count of frames begins, which
+    /// goes on modulo 2^32.
     void restart(uint32_t first_frame = 0);
     /// Frames in the mean.
     uint32_t frame_count() const { return mean_.count(); }
@@ -62,7 +64,9 @@ public:
 private:
     void restart_on_change(const Settings& settings, const Camera& camera);
     void estimate(const FrameContext& frame, const View& view);
-    const Texture& draw_picture(const FrameContext& frame, const View& view);
+    const Texture& draw_picture(const FrameContext& frame, const View& view,
+                                const Texture& visibility);
+    void remember_frame(const FrameContext& frame, const View& view);
 
     ShaderLibrary shaders_;
     const Scene& source_;
@@ -77,6 +81,8 @@ private:
     SpatialHash spatial_hash_;
     SceneLights lights_;
     Compose compose_;
+    ScreenReuse reuse_;
+    bool moved_ = false; ///< since previous positions were remembered
     RunningMean mean_;
     Present present_;
     const Texture* shown_ = nullptr; ///< of present_; null: older than the mean

@@ -6,6 +6,7 @@
 #include "renderer/base/nearest_name.h"
 #include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
 #include "renderer/passes/compose.h"
+#include "renderer/reuse/running_mean.h"
 #include "renderer/reuse/spatial_hash/hash_knobs.h"
 #include "renderer/tracers/tracer.h"
 
@@ -37,7 +38,8 @@ const KnobTable& all_knobs() {
                                               &kCamera, &kTime,     &kFps,    &kAnimation,
                                               &kTracer, &kAntialias};
         for (const auto& more :
-             {compose_knobs(), ambient_occlusion_knobs(), spatial_hash_knobs(), tracer_knobs()})
+             {compose_knobs(), ambient_occlusion_knobs(), spatial_hash_knobs(), tracer_knobs(),
+              screen_reuse_knobs(), std::vector<const KnobBase*>{&kMean}})
             knobs.insert(knobs.end(), more.begin(), more.end());
         return KnobTable(knobs);
     }();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "renderer/settings/settings.h"
+#include "renderer/reuse/screen_reuse.h"
 
 #include <string>
 #include <vector>
@@ -82,6 +82,11 @@ inline const Knob<std::string> kAnimation{
          "none: all stands as without animation.",
      .source = "most files have one"},
     ""};
+
+/// Whether pixels of the frames lie elsewhere in each, all over the area of a pixel in the end.
+inline bool is_antialiased(const Settings& settings) {
+    return settings.get(kAntialias) || settings.get(kTaa);
+}
 
 /// Seconds into the animation that frame `frame`, counted from 0, shows.
 double time_of_frame(const Settings& settings, int frame);

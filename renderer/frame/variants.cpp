@@ -62,9 +62,17 @@ std::vector<ShaderVariant> all_shader_variants() {
     };
     add(Deform::variant());
     add(EmptyPass::variant());
-    for (const bool detail : {false, true})
-        add(GBuffer::variant(detail, false));
-    add(GBuffer::variant(true, true));
+    for (const bool one : {false, true}) {
+        for (const bool motion : {false, true}) {
+            add(GBuffer::variant(one, false, motion));
+            add(Taa::variant(one, motion));
+        }
+        add(GBuffer::variant(true, true, one));
+        add(TemporalAccumulation::variant(one));
+        add(TemporalAccumulation::clamp_variant(one));
+    }
+    add(AtrousFilter::variant());
+    add(ScreenReuse::history_view_variant());
     add(Present::variant());
     add(RunningMean::variant(GL_R32F));
     add(RunningMean::variant(GL_RGBA32F));

@@ -15,7 +15,8 @@ enum class PictureKind {
     normal,
     base_color,
     structure,
-    hash
+    hash,
+    history
 };
 
 inline const Knob<PictureKind> kView{
@@ -24,12 +25,13 @@ inline const Knob<PictureKind> kView{
      .help =
          "What the picture shows: ambient occlusion alone, the lit scene, or what the camera "
          "sees of depth, normals and base colours; ambient_occlusion_raw: of the last frame "
-         "alone; structure: a view of the visibility structure, see view.structure; hash: of the "
-         "spatial hash, see view.hash.",
+         "alone, before any filter; structure: a view of the visibility structure, see "
+         "view.structure; hash: of the spatial hash, see view.hash; history: how many frames each "
+         "pixel of temporal accumulation has.",
      .source = "the estimate itself is what is measured"},
     PictureKind::ambient_occlusion,
     {"ambient_occlusion", "ambient_occlusion_raw", "lit", "depth", "normal", "base_color",
-     "structure", "hash"}};
+     "structure", "hash", "history"}};
 inline const Knob<double> kDepthRange{
     {.key = "view.depth_range",
      .unit = "scene diagonals",
@@ -47,11 +49,11 @@ inline bool is_visibility(PictureKind kind) {
 /// Whether the picture is the last frame alone, as what the frames have in it does not add up.
 inline bool is_of_last_frame(PictureKind kind) {
     return kind == PictureKind::ambient_occlusion_raw || kind == PictureKind::structure ||
-           kind == PictureKind::hash;
+           kind == PictureKind::hash || kind == PictureKind::history;
 }
 /// Whether Compose::run draws the picture.
 inline bool is_composed(PictureKind kind) {
-    return !is_visibility(kind) && kind != PictureKind::structure && kind != PictureKind::hash;
+    return !is_visibility(kind) && !is_of_last_frame(kind);
 }
 
 /// What lights the lit view.

@@ -5,33 +5,38 @@
 
 namespace romascope {
 
-ShaderVariant GBuffer::variant(bool detail, bool masked) {
+ShaderVariant GBuffer::variant(bool detail, bool masked, bool motion) {
     return {masked ? "gbuffer masked" : "gbuffer",
             {{GL_VERTEX_SHADER, "passes/gbuffer.vert.glsl"},
              {GL_FRAGMENT_SHADER, "passes/gbuffer.frag.glsl"}},
-            {{"SURFACE_DETAIL", detail || masked ? "1" : "0"}, {"ALPHA_MASK", masked ? "1" : "0"}},
+            {{"SURFACE_DETAIL", detail || masked ? "1" : "0"},
+             {"ALPHA_MASK", masked ? "1" : "0"},
+             {"MOTION", motion ? "1" : "0"}},
             {}};
 }
 
-void GBuffer::resize(glm::ivec2 size) {
-    if (depth_.size() == glm::ivec3(size, 1))
+void GBuffer::resize(glm::ivec2 size, bool with_motion) {
+    if (depth_.size() == glm::ivec3(size, 1) && with_motion == (motion_.id() != 0))
         return;
     const glm::ivec3 extent(size, 1);
     depth_ = Texture("gbuffer depth", GL_TEXTURE_2D, GL_DEPTH_COMPONENT32F, extent);
     normal_ = Texture("gbuffer normal", GL_TEXTURE_2D, GL_R32UI, extent);
     base_color_ = Texture("gbuffer base colour", GL_TEXTURE_2D, GL_SRGB8_ALPHA8, extent);
     emission_ = Texture("gbuffer emission", GL_TEXTURE_2D, GL_R11F_G11F_B10F, extent);
-    const Texture* colors[] = {&normal_, &base_color_, &emission_};
-    framebuffer_ = Framebuffer("gbuffer", colors, &depth_);
+    motion_ =
+        with_motion ? Texture("gbuffer motion", GL_TEXTURE_2D, GL_RGBA32F, extent) : Texture();
+    const Texture* colors[] = {&normal_, &base_color_, &emission_, &motion_};
+    framebuffer_ = Framebuffer("gbuffer", std::span(colors).first(with_motion ? 4 : 3), &depth_);
 }
 
-void GBuffer::draw(const FrameContext& frame, const View& view) {
-    resize(view.size);
+void GBuffer::draw(const FrameContext& frame, const View& view, bool with_motion) {
+    resize(view.size, with_motion);
     const GpuScene& scene = frame.scene;
-    const Program& plain = program_.get(frame.shaders, variant(scene.has_detail(), false));
+    const Program& plain =
+        program_.get(frame.shaders, variant(scene.has_detail(), false, with_motion));
     const bool any_masked = std::ranges::any_of(scene.groups(), &TriangleGroup::masked);
     const Program& masked =
-        any_masked ? masked_program_.get(frame.shaders, variant(true, true)) : plain;
+        any_masked ? masked_program_.get(frame.shaders, variant(true, true, with_motion)) : plain;
     auto pass = frame.timer.raster("gbuffer");
     framebuffer_.bind();
     const GLuint no_normal[4] = {};
@@ -40,6 +45,8 @@ void GBuffer::draw(const FrameContext& frame, const View& view) {
     glClearNamedFramebufferuiv(framebuffer_.id(), GL_COLOR, 0, no_normal);
     glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 1, black);
     glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 2, black);
+    if (with_motion)
+        glClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 3, black);
     glDepthMask(GL_TRUE);
     glClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &far);
 
@@ -77,7 +84,8 @@ void GBuffer::bind_surface() const {
 }
 
 StructureBytes GBuffer::bytes() const {
-    return {"gbuffer", depth_.bytes() + normal_.bytes() + base_color_.bytes() + emission_.bytes()};
+    return {"gbuffer", depth_.bytes() + normal_.bytes() + base_color_.bytes() + emission_.bytes() +
+                           motion_.bytes()};
 }
 
 } // namespace romascope

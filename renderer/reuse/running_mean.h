@@ -6,6 +6,15 @@
 
 namespace romascope {
 
+inline const Knob<bool> kMean{
+    {.key = "mean.enabled",
+     .unit = "",
+     .help =
+         "Show the mean of all frames since something changed; else the last frame alone, which is "
+         "what a game would show.",
+     .source = "a still picture should become clean"},
+    true};
+
 /// Mean of all frames since the last reset, for a still camera and scene.
 class RunningMean {
 public:

@@ -46,6 +46,20 @@ GpuScene::GpuScene(const Scene& scene)
     glVertexArrayElementBuffer(id, indices_.id());
 }
 
+void GpuScene::remember_positions() {
+    if (!has_previous_positions()) {
+        const GLuint id = vertex_array_.id();
+        previous_positions_ = Buffer("previous positions", positions_.bytes());
+        glVertexArrayVertexBuffer(id, 5, previous_positions_.id(), 0, sizeof(glm::vec3));
+        glEnableVertexArrayAttrib(id, 5);
+        glVertexArrayAttribBinding(id, 5, 5);
+        glVertexArrayAttribFormat(id, 5, 3, GL_FLOAT, GL_FALSE, 0);
+    }
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT); // shaders wrote the positions
+    glCopyNamedBufferSubData(positions_.id(), previous_positions_.id(), 0, 0,
+                             static_cast<GLsizeiptr>(positions_.bytes()));
+}
+
 void GpuScene::draw(const TriangleGroup& group) const {
     glBindVertexArray(vertex_array_.id());
     // What attributes are where no buffer gives them; the context's state, not the vertex array's.
@@ -57,8 +71,9 @@ void GpuScene::draw(const TriangleGroup& group) const {
 }
 
 size_t GpuScene::bytes() const {
-    return positions_.bytes() + normals_.bytes() + vertex_materials_.bytes() + texcoords_.bytes() +
-           colors_.bytes() + indices_.bytes() + surfaces_.bytes();
+    return positions_.bytes() + previous_positions_.bytes() + normals_.bytes() +
+           vertex_materials_.bytes() + texcoords_.bytes() + colors_.bytes() + indices_.bytes() +
+           surfaces_.bytes();
 }
 
 } // namespace romascope

@@ -21,6 +21,11 @@ public:
     /// Three floats a vertex, for the pass that moves them.
     const Buffer& positions() const { return positions_; }
     const Buffer& normals() const { return normals_; }
+    /// Keeps the positions as they are now, which take as many bytes again, as vertex attribute 5.
+    void remember_positions();
+    /// Whether attribute 5 is there: where the vertices were when remember_positions was called
+    /// last.
+    bool has_previous_positions() const { return previous_positions_.bytes() > 0; }
     /// A vertex's material, two floats, RGBA8; the latter two are empty where the scene has none.
     const Buffer& vertex_materials() const { return vertex_materials_; }
     const Buffer& texcoords() const { return texcoords_; }
@@ -38,7 +43,8 @@ public:
     size_t bytes() const;
 
 private:
-    Buffer positions_, normals_, vertex_materials_, texcoords_, colors_, indices_;
+    Buffer positions_, previous_positions_, normals_, vertex_materials_, texcoords_, colors_,
+        indices_;
     TexelView position_texels_, index_texels_;
     GlHandle<delete_vertex_array> vertex_array_;
     std::vector<TriangleGroup> groups_;

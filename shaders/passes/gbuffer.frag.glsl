@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 // What the camera sees: shading normal, base colour, emission; depth is the framebuffer's.
 //
-// Out:  0 R32UI octahedral normal that faces the camera; 1 sRGB8 base colour; 2 R11G11B10F emission
+// Out:  0 R32UI octahedral normal that faces the camera; 1 sRGB8 base colour; 2 R11G11B10F emission;
+//       with MOTION 3 RGBA32F: how far the surface has come since the last frame, metres
 // Host: SURFACE_DETAIL 0 or 1: texture and vertex colour count; ALPHA_MASK 0 or 1: what the mask
-//       leaves out is not drawn
+//       leaves out is not drawn; MOTION 0 or 1
 #include "shaders/common/material.glsl"
 in vec3 from_eye;
 in vec3 world_normal;
@@ -11,6 +12,10 @@ flat in uint material_index;
 #if SURFACE_DETAIL
 in vec2 surface_uv;
 in vec4 surface_vertex_color;
+#endif
+#if MOTION
+in vec3 moved;
+layout(location = 3) out vec4 out_motion;
 #endif
 layout(location = 0) out uint out_normal;
 layout(location = 1) out vec4 out_base_color;
@@ -40,5 +45,8 @@ void main() {
     vec3 base = materials[material_index].base_color.rgb;
 #endif
     out_base_color = vec4(base, 1.0);
+#if MOTION
+    out_motion = vec4(moved, 0.0);
+#endif
     out_emission = vec4(materials[material_index].emissive.rgb, 1.0);
 }

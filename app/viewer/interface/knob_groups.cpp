@@ -30,6 +30,11 @@ constexpr std::pair<std::string_view, std::string_view> kTitles[] = {
     {"samples", "Samples along a ray"},
     {"ao", "Ambient occlusion"},
     {"hash", "Spatial hash"},
+    {"history", "What was before"},
+    {"temporal", "Temporal accumulation"},
+    {"atrous", "A-trous filter"},
+    {"taa", "Temporal antialiasing"},
+    {"mean", "Mean of frames"},
 };
 
 size_t place_of(std::string_view group) {
@@ -66,6 +71,14 @@ PictureKind view_of(const KnobBase& knob) {
     if (&knob == &kHashView)
         return PictureKind::hash;
     return &knob == &kDepthRange ? PictureKind::depth : PictureKind::structure;
+}
+
+/// The knob "enabled" of the same group, if it switches the stage of this one on; else null.
+const KnobBase* switch_of(const KnobBase& knob, const KnobTable& table) {
+    std::string key(group_key(knob));
+    key += ".enabled";
+    const KnobBase* const enabled = table.find(key);
+    return enabled == &knob ? nullptr : enabled;
 }
 
 } // namespace
@@ -113,6 +126,11 @@ std::string what_wakes(const KnobBase& knob, const Settings& settings) {
     }
     if (group == "hash" && &knob != &kHashEnabled && !SpatialHash::is_used(settings))
         return fmt::format("{}=true", kHashEnabled.key());
+    if (group == "history" && !ScreenReuse::looks_back(settings))
+        return fmt::format("{}=true or {}=true", kTemporal.key(), kTaa.key());
+    if (const KnobBase* enabled = switch_of(knob, settings.table()))
+        if (!std::get<bool>(settings.value(*enabled)))
+            return fmt::format("{}=true", enabled->key());
     if (!is_of_other_tracer(knob, settings.get(kTracer)))
         return {};
     std::vector<std::string_view> names;
