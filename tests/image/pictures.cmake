@@ -52,3 +52,14 @@ picture_test(hall_map_slice ARGS hall --size 160x90 --set frame.view=structure -
 picture_test(hall_map_columns ARGS hall --size 160x90 --set frame.view=structure --set view.structure=map_columns --set view.map=255 MAX 2 FAILING 0.01 MEAN 0.5 REASON ${cells})
 picture_test(hall_nave_hash_cells ARGS hall --camera nave --size 160x90 --technique roma-hash --set frame.view=hash --set hash.footprint=8 MAX 2 FAILING 0.02 MEAN 1.5 REASON "a point at the border of two cells may fall to either side of it")
 picture_test(hall_nave_hash_samples ARGS hall --camera nave --size 160x90 --frames 8 --technique roma-hash --set frame.view=hash --set view.hash=samples MAX 2 FAILING 0.02 MEAN 1 REASON "as for cells")
+
+# Stages that reuse pixels: each alone, all of them, and while things move.
+set(edges "as at rays, averaged; besides, a surface at a limit of an edge may fall to either side")
+set(one_ray --size 160x90 --set ao.rays=1 --set mean.enabled=false)
+picture_test(hall_nave_ao_temporal ARGS hall --camera nave ${one_ray} --frames 16 --set temporal.enabled=true MAX 2 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(hall_nave_ao_atrous ARGS hall --camera nave ${one_ray} --set atrous.enabled=true MAX 3 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(hall_nave_lit_taa ARGS hall --camera nave --size 160x90 --technique roma-filtered --frames 12 --set taa.enabled=true --set frame.view=lit MAX 3 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(thin_fence_ao_filtered ARGS thin --camera fence --size 160x90 --technique roma-filtered --frames 12 MAX 3 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(dancers_stalls_ao_moving_filtered ARGS dancers --camera stalls --size 160x90 --fps 24 --frames 12 --technique roma-filtered MAX 3 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(dancers_stalls_lit_moving_taa ARGS dancers --camera stalls --size 160x90 --fps 24 --frames 12 --technique roma-filtered --set taa.enabled=true --set frame.view=lit MAX 3 FAILING 0.03 MEAN 0.5 REASON ${edges})
+picture_test(dancers_wing_history_moving ARGS dancers --camera wing --size 160x90 --fps 24 --frames 12 --technique roma-filtered --set frame.view=history MAX 3 FAILING 0.03 MEAN 1 REASON ${edges})
