@@ -33,6 +33,7 @@ struct RenderOptions {
     bool print_config = false;
     bool table = false;
     bool no_cache = false;
+    bool flicker = false;
     BackendOptions backend;
 };
 
@@ -46,6 +47,12 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
             check_image_extension(picture);
     if (wants_reference && !options.reference_samples)
         throw Error("--reference-output and --error-map need --reference N", kBadInput);
+    if (options.flicker && !options.reference_samples)
+        throw Error(
+            "--flicker needs --reference N: it is the change that the truth does not explain",
+            kBadInput);
+    if (options.flicker && settings.get(kFrames) < 2)
+        throw Error("--flicker needs at least --frames 2", kBadInput);
     check_tracer(settings);
     if (options.reference_samples)
         check_reference(settings, *options.reference_samples);
@@ -79,7 +86,13 @@ int render(const RenderOptions& options) {
         log.emplace();
     Pipeline pipeline(scene,
                       options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
-    const FrameRun run = render_frames(pipeline, settings, showing);
+    std::optional<FlickerWatch> flicker;
+    if (options.flicker)
+        flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
+    const FrameRun run = render_frames(pipeline, settings, showing, [&](int frame) {
+        if (flicker)
+            (*flicker)(pipeline, frame);
+    });
     if (log && !log->messages().empty())
         throw Error(log->messages().front());
 
@@ -97,6 +110,8 @@ int render(const RenderOptions& options) {
         const int samples = *options.reference_samples;
         const AoReference truth = truth_of(scene, camera, settings, samples, !options.no_cache);
         facts.errors = judge(truth, run.picture, samples);
+        if (flicker)
+            facts.errors->flicker = flicker->value();
         if (!options.reference_output.empty())
             write_image(options.reference_output, truth.visibility);
         if (!options.error_map.empty())
@@ -140,6 +155,8 @@ Command add_render_command(CLI::App& app) {
         ->type_name("FILE");
     command->add_option("--error-map", options->error_map, "picture of FLIP against the truth")
         ->type_name("FILE");
+    command->add_flag("--flicker", options->flicker,
+                      "with --reference: how much frames change that the truth does not");
     command->add_flag("--no-cache", options->no_cache, "compute the reference anew");
     command->add_flag("--print-config", options->print_config,
                       "print the settings in effect as TOML and stop");

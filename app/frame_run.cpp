@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/memory.h"
 #include "renderer/metrics/compare.h"
+#include "renderer/scene/pose.h"
 #include "renderer/scene/scene_bytes.h"
 
 #include <fmt/format.h>
@@ -58,7 +59,8 @@ bool Showing::is_asked_in_vain() const {
            !(settings_.is_default(kTime) && settings_.is_default(kFps));
 }
 
-FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing) {
+FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing,
+                       const std::function<void(int frame)>& watch) {
     const int frames = settings.get(kFrames);
     pipeline.restart();
     pipeline.timer().clear();
@@ -69,6 +71,8 @@ FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& sh
         showing.go_to(frame);
         pipeline.set_pose(showing.pose());
         pipeline.render(settings, showing.camera());
+        if (watch)
+            watch(frame);
         progress.done(frame + 1);
     }
     pipeline.timer().finish();
@@ -99,6 +103,24 @@ AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& s
     // The truth does not follow the seed of what it judges.
     return ambient_occlusion_reference(scene, query, reference_progress(),
                                        {.use_cache = use_cache});
+}
+
+FlickerWatch::FlickerWatch(const Scene& scene, const Settings& settings, const Showing& showing,
+                           int samples, bool use_cache)
+    : scene_(scene), settings_(settings), showing_(showing), samples_(samples),
+      use_cache_(use_cache) {}
+
+void FlickerWatch::operator()(const Pipeline& pipeline, int frame) {
+    if (frame + 1 < settings_.get(kFrames) / 2)
+        return;
+    const bool moves = settings_.get(kFps) != 0.0 && !scene_.motion.empty();
+    if (moves || !truth_) {
+        Scene posed = scene_;
+        if (!posed.motion.empty())
+            apply_pose(posed, showing_.pose());
+        truth_ = truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
+    }
+    flicker_.add(*truth_, pipeline.picture());
 }
 
 ReportErrors judge(const AoReference& truth, const Image& picture, int samples) {

@@ -5,8 +5,10 @@
 
 #include "app/report.h"
 #include "renderer/frame/pipeline.h"
+#include "renderer/metrics/flicker.h"
 #include "renderer/reference/ao_reference.h"
 
+#include <functional>
 #include <vector>
 
 namespace romascope {
@@ -45,12 +47,35 @@ struct FrameRun {
 };
 
 /// Renders as many frames as the settings say, from the first on: a pipeline that has rendered
-/// something else gives what a new one would. On a terminal it tells how far it is.
-FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing);
+/// something else gives what a new one would. On a terminal it tells how far it is. `watch` is
+/// called after each frame with its number, from 0.
+FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& showing,
+                       const std::function<void(int frame)>& watch = {});
 
 /// The ambient occlusion that those frames should show, with `samples` rays per pixel.
 AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& settings,
                      int samples, bool use_cache);
+
+/// The flicker of those frames, watched as they are rendered: over the second half of them, when
+/// what has to come to rest has. Each frame's picture is read back, and its truth made where it is
+/// another.
+class FlickerWatch {
+public:
+    /// Keeps references. `scene`: at rest, or as the first frame shows it.
+    FlickerWatch(const Scene& scene, const Settings& settings, const Showing& showing, int samples,
+                 bool use_cache);
+    void operator()(const Pipeline& pipeline, int frame);
+    double value() const { return flicker_.value(); }
+
+private:
+    const Scene& scene_;
+    const Settings& settings_;
+    const Showing& showing_;
+    int samples_;
+    bool use_cache_;
+    std::optional<Image> truth_; ///< of all frames, if nothing moves
+    Flicker flicker_;
+};
 
 /// Errors of a picture against it.
 ReportErrors judge(const AoReference& truth, const Image& picture, int samples);

@@ -79,7 +79,7 @@ std::string report_json(const ReportFacts& facts) {
     json["counts"] = Json::object();
     for (const NamedCount& counted : facts.counts)
         json["counts"][counted.name] = counted.count;
-    if (facts.errors)
+    if (facts.errors) {
         json["errors"] = {{"reference_samples", facts.errors->samples},
                           {"reference_seconds", facts.errors->reference_seconds},
                           {"reference_from_cache", facts.errors->reference_from_cache},
@@ -87,6 +87,9 @@ std::string report_json(const ReportFacts& facts) {
                           {"rmse", facts.errors->rmse},
                           {"mae", facts.errors->mae},
                           {"bias", facts.errors->bias}};
+        if (facts.errors->flicker)
+            json["errors"]["flicker"] = *facts.errors->flicker;
+    }
     return pretty(json);
 }
 
@@ -99,6 +102,8 @@ std::string error_table(const ReportErrors& errors) {
     text += fmt::format("{:<20} {:>12.6f}\n", "RMSE", errors.rmse);
     text += fmt::format("{:<20} {:>12.6f}\n", "MAE", errors.mae);
     text += fmt::format("{:<20} {:>+12.6f}\n", "signed bias", errors.bias);
+    if (errors.flicker)
+        text += fmt::format("{:<20} {:>12.6f}\n", "flicker", *errors.flicker);
     return text;
 }
 

@@ -23,6 +23,7 @@ struct ReportErrors {
     double reference_seconds = 0;
     bool reference_from_cache = false;
     double flip = 0, rmse = 0, mae = 0, bias = 0;
+    std::optional<double> flicker; ///< see Flicker
 };
 
 /// Everything a report holds, gathered while rendering.

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Pictures that `romascope render` writes."""
 
+import re
+
 from helper import CliTest, SIZE, SOURCE, read_png
 
 
@@ -115,3 +117,21 @@ class Reference(CliTest):
         self.render("out.png", *words, "again.hdr")
         self.assertEqual(self.path("computed.hdr").read_bytes(),
                          self.path("again.hdr").read_bytes())
+
+    def test_flicker(self):
+        def flicker(*words):
+            text = self.render("out.png", "--reference", "16", "--flicker", "--frames", "8",
+                               "--set", "ao.rays=1", "--table", *words).stdout
+            return float(re.search(r"^flicker +([0-9.]+)$", text, re.MULTILINE)[1])
+
+        alone = flicker("--set", "mean.enabled=false")
+        self.assertGreater(alone, 0.02)
+        # The eighth frame changes a mean by an eighth of what it differs.
+        self.assertLess(flicker(), 0.3 * alone)
+        filtered = flicker("--technique", "roma-filtered")
+        self.assertGreater(filtered, 0)
+        self.assertLess(filtered, 0.2 * alone)
+
+    def test_flicker_refused(self):
+        self.refuse_render("--flicker", "--frames", "4", says=("--reference",))
+        self.refuse_render("--flicker", "--reference", "4", says=("--frames 2",))

@@ -63,6 +63,7 @@ class Report(CliTest):
         documented = documented_fields()
         self.assertGreater(len(documented), 30)
         for words in ((), ("--technique", "roma"), ("--reference", "4"),
+                      ("--reference", "4", "--flicker", "--frames", "3"),
                       ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60"),
                       ("--set", "roma.snap=false")):
             report = self.report(*words)
@@ -71,6 +72,7 @@ class Report(CliTest):
             maybe = {name for name in documented if name.startswith(
                 ("scene.animations[]", "scene.notices[]")
                 + (() if "--reference" in words else ("errors.",))
+                + (() if "--flicker" in words else ("errors.flicker",))
                 + (() if "roma.snap=false" in words else ("counts.",)))}
             self.assertEqual(found - documented.keys(), set())
             self.assertEqual(documented.keys() - found - maybe, set())

@@ -3,6 +3,7 @@
 #include "renderer/metrics/color_maps.h"
 #include "renderer/metrics/compare.h"
 #include "renderer/metrics/errors.h"
+#include "renderer/metrics/flicker.h"
 #include "renderer/metrics/flip.h"
 #include "tests/support/expect_error.h"
 #include "tests/support/made_images.h"
@@ -23,6 +24,20 @@ TEST(Errors, AnalyticCase) {
     EXPECT_DOUBLE_EQ(figures.bias, -1.0 / 6);
     EXPECT_DOUBLE_EQ(figures.max_abs, 3);
     EXPECT_EQ(difference_map(reference, test).data, (std::vector<float>{1, 0, -3, 0, 0, 1}));
+}
+
+TEST(Flicker, IsTheChangeThatTheTruthDoesNotExplain) {
+    Flicker still, moving, first;
+    first.add(flat(2, 1, {0.5f}), flat(2, 1, {0.25f}));
+    EXPECT_EQ(first.value(), 0.0) << "of one frame";
+    for (const float value : {0.25f, 0.75f, 0.5f}) // changes of 0.5 and 0.25, whatever the error
+        still.add(flat(2, 1, {1.0f}), flat(2, 1, {value}));
+    EXPECT_DOUBLE_EQ(still.value(), 0.375);
+    for (const float value : {0.25f, 0.75f, 0.5f}) // follows the truth, an eighth behind
+        moving.add(flat(2, 1, {value}), flat(2, 1, {value - 0.125f}));
+    EXPECT_DOUBLE_EQ(moving.value(), 0.0);
+    moving.add(flat(2, 1, {1.0f}), flat(2, 1, {0.5f}));
+    EXPECT_DOUBLE_EQ(moving.value(), 0.375 / 3);
 }
 
 TEST(Errors, ConstantOffset) {
