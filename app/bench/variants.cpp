@@ -3,16 +3,18 @@
 
 #include "renderer/base/error.h"
 #include "renderer/base/nearest_name.h"
+#include "renderer/frame/idle_knobs.h"
 #include "renderer/frame/pipeline.h"
+#include "renderer/reuse/running_mean.h"
 #include "renderer/settings/quote.h"
 #include "renderer/tracers/dda2d/dda2d_tracer.h"
-#include "renderer/tracers/occupancy/occupancy_knobs.h"
 #include "renderer/tracers/roma/roma_knobs.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <set>
+#include <span>
 #include <sstream>
 
 namespace romascope {
@@ -20,6 +22,25 @@ namespace {
 
 /// Groups of settings that make the picture which all variants share.
 constexpr std::string_view kShared[] = {"render.", "frame.", "view.", "lit."};
+/// Groups of settings of stages that come after the tracers, which are looked at by themselves.
+constexpr std::string_view kLater[] = {"hash.",   "history.", "temporal.",
+                                       "atrous.", "taa.",     "mean."};
+
+bool is_of(std::string_view key, std::span<const std::string_view> groups) {
+    return std::ranges::any_of(groups,
+                               [&](std::string_view group) { return key.starts_with(group); });
+}
+
+/// Refuses stages that would be told with the results and have no part in them.
+void check_stages(const Settings& settings) {
+    for (const KnobBase* knob : settings.table().all())
+        if (is_of(knob->key(), kLater) && knob->key().ends_with(".enabled") && knob != &kMean &&
+            !settings.is_default(*knob))
+            throw Error(fmt::format("{}: tracers are looked at by themselves, without the stages "
+                                    "that reuse what they found; leave it at {}",
+                                    knob->key(), to_text(knob->default_value())),
+                        kBadInput);
+}
 
 std::vector<std::string> split(const std::string& text, char at) {
     std::vector<std::string> parts;
@@ -46,16 +67,6 @@ bool concerns(const Variation& variation, const std::string& tracer) {
     return variation.knob != &kTracer && !is_of_other_tracer(*variation.knob, tracer);
 }
 
-/// Whether the knob decides nothing because of another one's value.
-bool is_idle(const KnobBase& knob, const Settings& settings) {
-    const bool sheared = settings.get(kRomaAlignment) == RomaAlignment::shear;
-    const bool computed = settings.get(kOccupancyBuilder) == OccupancyBuilder::compute;
-    return (&knob == &kRomaTaps && !sheared) || (&knob == &kRomaFit && sheared) ||
-           (&knob == &kOccupancyCoverage && !computed) || (&knob == &kOccupancyAxes && computed) ||
-           (&knob == &kRomaIterations && settings.get(kRomaSnap)) ||
-           (&knob == &kRomaSampling && !settings.get(kRomaSnap));
-}
-
 /// Those that differ in more than idle settings, which are left out of their names.
 std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants,
                                        const std::vector<Variation>& variations) {
@@ -67,7 +78,7 @@ std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants
             const KnobBase& knob = *variation.knob;
             if (!concerns(variation, tracer))
                 continue;
-            if (is_idle(knob, variant.settings))
+            if (!setting_that_wakes(knob, variant.settings).empty())
                 own.settings.reset(knob);
             else
                 own.name +=
@@ -79,6 +90,13 @@ std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants
     return kept;
 }
 
+constexpr size_t kMostCombinations = size_t{1} << 16;
+
+void check_count(size_t count, size_t allowed, size_t most) {
+    if (count > allowed)
+        throw Error(fmt::format("--vary: these are more than {} variants", most), kBadInput);
+}
+
 } // namespace
 
 Variation parse_variation(const Settings& base, const std::string& text) {
@@ -88,8 +106,12 @@ Variation parse_variation(const Settings& base, const std::string& text) {
                     kBadInput);
     const std::string key = text.substr(0, equals);
     Variation variation{&base.table().at(key), split(text.substr(equals + 1), ',')};
-    if (std::ranges::any_of(kShared,
-                            [&](std::string_view group) { return key.starts_with(group); }))
+    if (is_of(key, kLater))
+        throw Error(fmt::format("--vary {}: tracers are looked at by themselves, without the "
+                                "stages that reuse what they found",
+                                key),
+                    kBadInput);
+    if (is_of(key, kShared))
         throw Error(fmt::format("--vary {}: all variants share one picture; give one value with "
                                 "--set",
                                 key),
@@ -134,6 +156,7 @@ std::vector<Variation> default_variations(const Settings& base) {
 
 std::vector<BenchVariant> expand_variants(const Settings& base,
                                           const std::vector<Variation>& variations, size_t most) {
+    check_stages(base);
     std::vector<BenchVariant> all;
     std::set<const KnobBase*> used = {&kTracer};
     for (const std::string& tracer : tracer_names(base, variations)) {
@@ -152,12 +175,12 @@ std::vector<BenchVariant> expand_variants(const Settings& base,
                 }
             }
             of_tracer = std::move(more);
-            if (all.size() + of_tracer.size() > most)
-                throw Error(fmt::format("--vary: these are more than {} variants", most),
-                            kBadInput);
+            // Many may be alike, as far as they count, but there is an end to it.
+            check_count(of_tracer.size(), kMostCombinations, most);
         }
         of_tracer = without_idle(of_tracer, variations);
         all.insert(all.end(), of_tracer.begin(), of_tracer.end());
+        check_count(all.size(), most, most);
     }
     for (const Variation& variation : variations)
         if (!used.contains(variation.knob))

@@ -16,7 +16,8 @@ SHARED_FN float plane_distance(vec3 a, vec3 normal_a, vec3 b, vec3 normal_b) {
 
 /// 1 for points of one plane, falling smoothly to 0 at either limit and 0 from there on, and for
 /// what is not a number. `cosine`: between the normals; `cosine_limit` below 1.
-SHARED_FN float edge_weight(float distance, float distance_limit, float cosine, float cosine_limit) {
+SHARED_FN float edge_weight(float distance, float distance_limit, float cosine,
+                            float cosine_limit) {
     float off = distance / distance_limit;
     float turn = (1.0f - cosine) / (1.0f - cosine_limit); // nearly the square of the angle's share
     if (!(off < 1.0f) || !(turn < 1.0f))

@@ -126,6 +126,8 @@ class Bench(CliTest):
                 (("--vary", "technique.tracer=dda", "--vary", "roma.taps=1,2"), "none of these"),
                 (("--vary", "occupancy.resolution=" + ",".join(map(str, range(32, 132)))),
                  "more than 64"),
+                (("--vary", "hash.enabled=true,false"), "without the stages that reuse"),
+                (("--technique", "roma-hash"), "hash.enabled: "),
                 (("--set", "technique.tracer=rom"), "did you mean 'roma'"),
                 (("--baseline", "bvh"), "did you mean"),
                 (("--baseline", "roma"), "could be"),

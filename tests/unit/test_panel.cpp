@@ -4,8 +4,11 @@
 #include "app/viewer/interface/knob_groups.h"
 #include "app/viewer/interface/knob_widget.h"
 #include "app/viewer/interface/overlay.h"
+#include "renderer/frame/idle_knobs.h"
 #include "renderer/frame/technique.h"
 #include "renderer/passes/compose.h"
+#include "renderer/reuse/spatial_hash/hash_knobs.h"
+#include "renderer/tracers/roma/roma_knobs.h"
 #include "renderer/tracers/tracer.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +71,8 @@ TEST(KnobGroups, KnobsOfOtherTracersAndViewsAreNotInUse) {
             for (const KnobBase* knob : other.knobs()) {
                 const std::vector<const KnobBase*> own = chosen.knobs();
                 const bool is_own = std::find(own.begin(), own.end(), knob) != own.end();
-                EXPECT_EQ(is_in_use(*knob, settings), is_own) << chosen.name << ' ' << knob->key();
+                const bool counts = is_own && setting_that_wakes(*knob, settings).empty();
+                EXPECT_EQ(is_in_use(*knob, settings), counts) << chosen.name << ' ' << knob->key();
             }
     }
 }
@@ -91,6 +95,25 @@ TEST(KnobGroups, WhatWakesAKnobDoes) {
             }
         }
     EXPECT_GT(asleep, 50u);
+}
+
+TEST(KnobGroups, TheViewOfTheHashUsesItsKnobs) {
+    Settings settings(all_knobs());
+    EXPECT_FALSE(is_in_use(kHashFootprint, settings));
+    settings.set(kView, PictureKind::hash);
+    EXPECT_TRUE(is_in_use(kHashFootprint, settings));
+}
+
+TEST(KnobGroups, WhatAnotherSettingDecidesIsDimmed) {
+    Settings settings(all_knobs());
+    settings.set(kRomaAlignment, RomaAlignment::rotate);
+    EXPECT_EQ(what_wakes(kRomaTaps, settings), "roma.alignment=shear");
+    EXPECT_EQ(what_wakes(kRomaFit, settings), "");
+    settings.set(kRomaAlignment, RomaAlignment::shear);
+    EXPECT_EQ(what_wakes(kRomaTaps, settings), "");
+    EXPECT_EQ(what_wakes(kRomaFit, settings), "roma.alignment=rotate");
+    settings.set(kRomaSnap, false);
+    EXPECT_EQ(what_wakes(kRomaSampling, settings), "roma.snap=true");
 }
 
 TEST(KnobWidget, SuitsKindAndRange) {

@@ -205,6 +205,17 @@ TEST(Variants, IdleSettingsMakeNone) {
         (std::vector<std::string>{
             "dda occupancy.builder=raster", "dda occupancy.builder=compute occupancy.coverage=thin",
             "dda occupancy.builder=compute occupancy.coverage=conservative"}));
+    // Those that differ are bounded, not the combinations.
+    const std::vector<std::string> many = {"technique.tracer=roma",
+                                           "roma.alignment=rotate,shear",
+                                           "roma.taps=1,2,3",
+                                           "roma.fit=box,cube",
+                                           "occupancy.builder=raster,compute",
+                                           "occupancy.coverage=thin,conservative",
+                                           "occupancy.axes=all,z"};
+    const std::vector<Variation> variations = parse_variations(base, many);
+    EXPECT_EQ(expand_variants(base, variations, 20).size(), 20u);
+    EXPECT_THROW(expand_variants(base, variations, 19), Error);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/viewer/interface/knob_groups.h"
 
+#include "renderer/frame/idle_knobs.h"
 #include "renderer/frame/technique.h"
 #include "renderer/passes/compose.h"
 #include "renderer/reuse/spatial_hash/spatial_hash.h"
@@ -128,11 +129,12 @@ std::string what_wakes(const KnobBase& knob, const Settings& settings) {
         return fmt::format("{}=true", kHashEnabled.key());
     if (group == "history" && !ScreenReuse::looks_back(settings))
         return fmt::format("{}=true or {}=true", kTemporal.key(), kTaa.key());
-    if (const KnobBase* enabled = switch_of(knob, settings.table()))
-        if (!std::get<bool>(settings.value(*enabled)))
-            return fmt::format("{}=true", enabled->key());
+    const KnobBase* enabled = switch_of(knob, settings.table());
+    // The hash is also used by its own view.
+    if (enabled && enabled != &kHashEnabled && !std::get<bool>(settings.value(*enabled)))
+        return fmt::format("{}=true", enabled->key());
     if (!is_of_other_tracer(knob, settings.get(kTracer)))
-        return {};
+        return setting_that_wakes(knob, settings);
     std::vector<std::string_view> names;
     for (const TracerEntry& tracer : tracers())
         if (!is_of_other_tracer(knob, tracer.name))

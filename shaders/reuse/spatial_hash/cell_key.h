@@ -55,7 +55,8 @@ SHARED_FN int floor_to_int(float x) {
 
 /// `inverse_smallest`: one over the smallest size, 1/m. `normal_bins`: bins of a component from 0
 /// to 1.
-SHARED_FN CellKey cell_key(vec3 position, vec3 normal, int level, float inverse_smallest, float normal_bins) {
+SHARED_FN CellKey cell_key(vec3 position, vec3 normal, int level, float inverse_smallest,
+                           float normal_bins) {
     EXACT float inverse_size = inverse_smallest * power_of_two(-level);
     EXACT vec3 scaled = position * inverse_size;
     EXACT vec3 shift = normal * kCellBias;

@@ -3,18 +3,18 @@
 // it at the end of a frame.
 //
 // Between frames, the word of hits has the frame of last use in its upper 16 bits, and that of
-// samples has no flag. A cell in use is flagged and its time taken away, which leaves 32 and 31 bits
-// for a frame's sums: up to kMaxFrameSamples. Settling brings sums back to 16 bits.
+// samples has no flag. A cell in use is flagged and its time taken away, which leaves 32 and 31
+// bits for a frame's sums: up to kMaxFrameSamples. Settling brings sums back to 16 bits.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus
 namespace romascope::gpu {
 #endif
 
-const uint kInUse = 0x80000000u;         ///< in the word of samples: used in this frame
-const uint kSamplesMask = 0x7FFFFFFFu;   ///< the rest of it
-const uint kHitsMask = 0xFFFFu;          ///< of the word of hits, where not in use
-const uint kMaxSettled = 0xFFFFu;        ///< samples of a cell between frames
+const uint kInUse = 0x80000000u;           ///< in the word of samples: used in this frame
+const uint kSamplesMask = 0x7FFFFFFFu;     ///< the rest of it
+const uint kHitsMask = 0xFFFFu;            ///< of the word of hits, where not in use
+const uint kMaxSettled = 0xFFFFu;          ///< samples of a cell between frames
 const uint kMaxFrameSamples = 0x7FFE0000u; ///< that a frame may add to one cell
 /// The largest number of samples at which a cell can be told to take no more: sums that are halved
 /// to fit do not fall below.
@@ -87,12 +87,14 @@ const int kCountProbes = 4;     ///< the most slots that one search looked at
 const int kPixelCounts = 5;
 const int kCountCells = 5; ///< taken after the frame
 const int kCountEvictions = 6;
-const int kCountSamples = 7;       ///< cells by samples: below 4, 16, 64, 256, 1024, and more
-const int kCountAges = 13;         ///< cells by frames since last use: 0, below 2, 4, 8, 16, and more
+const int kCountSamples = 7; ///< cells by samples: below 4, 16, 64, 256, 1024, and more
+const int kCountAges = 13;   ///< cells by frames since last use: 0, below 2, 4, 8, 16, and more
 const int kHistogramBins = 6;
 const int kHashCounts = 19;
 
-SHARED_FN int samples_bin(uint samples) { return min(findMSB(samples | 1u) / 2, kHistogramBins - 1); }
+SHARED_FN int samples_bin(uint samples) {
+    return min(findMSB(samples | 1u) / 2, kHistogramBins - 1);
+}
 SHARED_FN int age_bin(uint age) { return min(findMSB(age) + 1, kHistogramBins - 1); }
 
 #ifdef __cplusplus

@@ -23,7 +23,9 @@ SHARED_FN uint packed_larger(uint slot, float weight) {
 }
 /// kNoSlot for none.
 SHARED_FN uint unpacked_slot(uint word) { return (word & kSlotBits) - 1u; }
-SHARED_FN float larger_weight(uint word) { return float(word >> kWeightShift) * (1.0f / kFullWeight); }
+SHARED_FN float larger_weight(uint word) {
+    return float(word >> kWeightShift) * (1.0f / kFullWeight);
+}
 
 #ifdef __cplusplus
 } // namespace romascope::gpu

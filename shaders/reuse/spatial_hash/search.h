@@ -3,11 +3,12 @@
 // shaders and the CPU model of the table make the same accesses in the same order.
 //
 // Why a key gets one slot, however many ask for it at once: in the pass that claims, slots only go
-// from free to taken. All who look for a key pass the same slots in the same order. If it was in the
-// table before, all find it, as the whole sequence is looked at before anything is claimed. If not,
-// two can claim only the first slot of the sequence that is free; who comes second sees the key
-// there. Slots that were passed over were taken by other keys and stay so. What is only read may
-// even be out of date: a slot taken since still looks free, and the exchange then shows who has it.
+// from free to taken. All who look for a key pass the same slots in the same order. If it was in
+// the table before, all find it, as the whole sequence is looked at before anything is claimed. If
+// not, two can claim only the first slot of the sequence that is free; who comes second sees the
+// key there. Slots that were passed over were taken by other keys and stay so. What is only read
+// may even be out of date: a slot taken since still looks free, and the exchange then shows who has
+// it.
 #pragma once
 #include "shaders/common/cross.h"
 #include "shaders/common/random.h"
@@ -24,10 +25,10 @@ const int kProbeBucket = 2;
 /// Slots whose checksums share 32 bytes: what a GPU fetches at once.
 const uint kBucketSlots = 8u;
 
-/// The slot of the `probe`-th look, from 0, of a key with this hash, in a table of `mask` + 1 slots,
-/// a power of two of at least kBucketSlots. Linear: from the home slot on, around the table's end;
-/// rehash: anew for each; bucket: around within the home slot's bucket, then in the bucket of
-/// another hash.
+/// The slot of the `probe`-th look, from 0, of a key with this hash, in a table of `mask` + 1
+/// slots, a power of two of at least kBucketSlots. Linear: from the home slot on, around the
+/// table's end; rehash: anew for each; bucket: around within the home slot's bucket, then in the
+/// bucket of another hash.
 SHARED_FN uint probe_slot(uint hash, int probe, int probing, uint mask) {
     uint step = uint(probe);
     if (probing == kProbeLinear)

@@ -8,7 +8,7 @@
 // Out:  aligned_maps texel ROMA_TEXELS_PER_COLUMN * (column.y * columns.x + column.x) + part of a map
 //                    has up to four words of a column
 // Host: SHEAR_TAPS, ROMA_WORDS_PER_TEXEL, ROMA_TEXELS_PER_COLUMN, ROMA_FORMAT, TRANSPOSE_ROWS_APART
-//       and, for it, TRANSPOSE_BLOCKS = ROMA_WORDS_PER_TEXEL; dispatched over (columns / 32, columns,
+//       and, for it, TRANSPOSE_BLOCKS, rows of columns of a work group; dispatched over (columns / 32, columns,
 //       maps * ROMA_TEXELS_PER_COLUMN)
 #include "shaders/tracers/roma/shear_shared.h"
 
