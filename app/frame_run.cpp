@@ -23,13 +23,16 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
     const int width = settings.get(kWidth), height = settings.get(kHeight);
     const bool composed = !is_visibility(settings.get(kView));
     const size_t pixels = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height);
+    const bool moves = !scene.motion.parts.empty();
     const size_t per_pixel = (composed ? kComposedBytesPerPixel : kBytesPerPixel) +
-                             ScreenReuse::bytes_per_pixel(settings, !scene.motion.empty());
+                             ScreenReuse::bytes_per_pixel(settings, moves);
     const size_t picture = pixels * per_pixel;
     const std::string tracer = settings.get(kTracer);
     const size_t structures =
         make_tracer(tracer)->bytes_needed(settings) + SpatialHash::bytes_needed(settings, pixels);
-    const size_t triangles = scene_bytes(scene); // once more, as GL's
+    size_t triangles = scene_bytes(scene); // once more, as GL's
+    if (moves && ScreenReuse::looks_back(settings))
+        triangles += scene.positions.size() * sizeof(glm::vec3); // where they were before
     const size_t needed = picture + structures + triangles;
     if (needed > left)
         throw Error(

@@ -53,6 +53,8 @@ public:
     /// `value`: one channel, in [0, 1]; of this view's size. Returns the outcome, R16.
     const Texture& run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
                        const Texture& value);
+    /// Holds nothing any more, until the next run.
+    void release() { filtered_ = {}; }
     StructureBytes bytes() const {
         return {"a-trous filter", filtered_[0].bytes() + filtered_[1].bytes()};
     }

@@ -47,16 +47,19 @@ const Texture& ScreenReuse::filter(const FrameContext& frame, const View& view,
         temporal_.run(frame, view, gbuffer, before_, *out);
         out = &temporal_.result();
     } else {
-        temporal_.reset();
+        temporal_.release();
     }
-    return frame.settings.get(kAtrous) ? atrous_.run(frame, view, gbuffer, *out) : *out;
+    if (frame.settings.get(kAtrous))
+        return atrous_.run(frame, view, gbuffer, *out);
+    atrous_.release();
+    return *out;
 }
 
 const Texture& ScreenReuse::antialias(const FrameContext& frame, const View& view,
                                       const GBuffer& gbuffer, const Texture& picture) {
     if (frame.settings.get(kTaa))
         return taa_.run(frame, view, gbuffer, before_, picture);
-    taa_.reset();
+    taa_.release();
     return picture;
 }
 
@@ -64,7 +67,7 @@ void ScreenReuse::end_frame(const FrameContext& frame, const View& view, const G
     if (looks_back(frame.settings))
         before_.remember(gbuffer, view);
     else
-        before_.forget();
+        before_.release();
 }
 
 void ScreenReuse::draw_history(const FrameContext& frame, const View& view, const GBuffer& gbuffer,

@@ -40,6 +40,8 @@ public:
     /// Copies what the frame has seen, at its end.
     void remember(const GBuffer& gbuffer, const View& view);
     void forget() { remembered_ = false; }
+    /// Forgets, and holds nothing any more.
+    void release() { *this = {}; }
     /// Whether there is a frame before, of that size.
     bool is_of(glm::ivec2 size) const { return remembered_ && view_.size == size; }
 

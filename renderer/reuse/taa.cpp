@@ -44,4 +44,10 @@ const Texture& Taa::run(const FrameContext& frame, const View& view, const GBuff
     return single ? result_ : history_[0];
 }
 
+void Taa::release() {
+    history_ = {};
+    result_ = {};
+    reset();
+}
+
 } // namespace romascope

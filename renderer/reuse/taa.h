@@ -42,6 +42,8 @@ public:
                        const SurfaceHistory& before, const Texture& picture);
     /// What comes next begins anew.
     void reset() { has_history_ = false; }
+    /// Holds nothing any more, until the next run.
+    void release();
     StructureBytes bytes() const {
         return {"taa history", history_[0].bytes() + history_[1].bytes() + result_.bytes()};
     }

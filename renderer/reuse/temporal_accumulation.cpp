@@ -61,4 +61,10 @@ void TemporalAccumulation::run(const FrameContext& frame, const View& view, cons
     has_history_ = true;
 }
 
+void TemporalAccumulation::release() {
+    for (Texture* texture : {&accumulated_, &history_, &result_})
+        *texture = {};
+    reset();
+}
+
 } // namespace romascope

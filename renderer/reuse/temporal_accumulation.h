@@ -51,6 +51,8 @@ public:
              const SurfaceHistory& before, const Texture& value);
     /// What comes next begins anew.
     void reset() { has_history_ = false; }
+    /// Holds nothing any more, until the next run.
+    void release();
     bool has_history() const { return has_history_; }
 
     const Texture& result() const { return result_; } ///< R16

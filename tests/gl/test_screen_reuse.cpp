@@ -223,6 +223,26 @@ TEST_F(ScreenReuseTest, WhatJumpsBeginsAnewAndNothingElse) {
     EXPECT_EQ(least_and_most(), Frames(1, 1));
 }
 
+TEST_F(ScreenReuseTest, WhatIsSwitchedOffHoldsNothing) {
+    const Scene scene = box();
+    Pipeline pipeline(scene, ShaderLibrary());
+    const auto held = [&] {
+        pipeline.render(settings_, scene.cameras.front());
+        size_t bytes = 0;
+        for (const StructureBytes& structure : pipeline.bytes())
+            bytes += structure.bytes;
+        return bytes;
+    };
+    const size_t plain = held(), pixels = index(0, kSize.y);
+    for (int combination = 1; combination < 8; ++combination) {
+        choose(combination);
+        EXPECT_EQ(held() - plain, pixels * ScreenReuse::bytes_per_pixel(settings_, false))
+            << "stages " << combination;
+        choose(0);
+        EXPECT_EQ(held(), plain) << "stages " << combination;
+    }
+}
+
 TEST_F(ScreenReuseTest, OffTheyChangeNothing) {
     const Scene scene = box();
     Pipeline pipeline(scene, ShaderLibrary());

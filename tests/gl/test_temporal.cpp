@@ -215,6 +215,19 @@ TEST_F(TemporalTest, ACutAndAnotherSizeBeginAnew) {
     before_.forget();
     const Outcome forgotten = render(gpu, below, ones);
     EXPECT_EQ(forgotten.frames(0), 1.0f);
+
+    View smaller = below;
+    smaller.size -= 8;
+    const FrameContext context = frame(gpu, settings_);
+    gbuffer_.draw(context, smaller);
+    const Texture value("test values", GL_TEXTURE_2D, GL_R32F, glm::ivec3(smaller.size, 1));
+    const float one = 1.0f;
+    glClearTexImage(value.id(), 0, GL_RED, GL_FLOAT, &one);
+    temporal_.run(context, smaller, gbuffer_, before_, value);
+    const std::vector<float> history = temporal_.history().download_float(4);
+    ASSERT_EQ(history.size(), 4 * static_cast<size_t>(smaller.size.x * smaller.size.y));
+    for (size_t i = 3; i < history.size(); i += 4)
+        ASSERT_EQ(history[i], 1.0f);
 }
 
 TEST_F(TemporalTest, TheClampBoundsTheLagAndCostsNothingAtRest) {
