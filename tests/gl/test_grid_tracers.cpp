@@ -332,11 +332,32 @@ protected:
         settings_.set(kSamplesCount, 128); // two in a cell: nearly nothing is missed
         settings_.set(kTracer, GetParam());
     }
+
+    /// How rays of the tracer leave their surface, cells.
+    void leave_by(double offset, int escape) {
+        const std::string tracer = GetParam();
+        settings_.set_text(tracer + ".normal_offset", to_text(offset));
+        settings_.set_text(tracer + ".escape", to_text(int64_t{escape}));
+    }
 };
+
+TEST_P(GridAmbientOcclusion, AnOpenPlaneIsNearlyOneByDefault) {
+    // The defaults are best where surfaces are near each other, and cost an open plane some of its
+    // rays: seen are 0.4 %, of samples, which start nearest to it, 3.5 %.
+    const double least = std::string(GetParam()) == "samples" ? 0.95 : 0.99;
+    settings_.reset(kSamplesCount);
+    std::mt19937 random(1);
+    for (int i = 0; i < 8; ++i) {
+        const auto [scene, camera, normal] = open_plane(random, i == 0);
+        EXPECT_GT(mean(render(scene, camera, 2)), least)
+            << "normal " << normal.x << " " << normal.y << " " << normal.z;
+    }
+}
 
 TEST_P(GridAmbientOcclusion, AnOpenPlaneIsExactlyOne) {
     // Cells are set up to half a cell from the plane along its dominant axis, and end another half
-    // cell further: 1.37 cells at most, below the offset of 1.5.
+    // cell further: 1.37 cells at most, below an offset of 1.5.
+    leave_by(1.5, 0);
     std::mt19937 random(1);
     for (int i = 0; i < 8; ++i) {
         const auto [scene, camera, normal] = open_plane(random, i == 0);

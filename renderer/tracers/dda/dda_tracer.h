@@ -7,8 +7,9 @@
 namespace romascope {
 
 inline const Knob<double> kDdaNormalOffset =
-    normal_offset_knob("dda.normal_offset", "as roma.normal_offset", 1.5);
-inline const Knob<int> kDdaEscape = escape_knob("dda.escape", "as roma.escape", 0);
+    normal_offset_knob("dda.normal_offset", "fewest wrong rays, see docs/user/error-split.md", 1.0);
+inline const Knob<int> kDdaEscape =
+    escape_knob("dda.escape", "fewest wrong rays, see docs/user/error-split.md", 2);
 
 std::vector<const KnobBase*> dda_knobs();
 

@@ -14,9 +14,10 @@ inline const Knob<bool> kDda2dHierarchy{
              "made anew every frame; the hits are the same.",
      .source = "Thiedemann et al. 2011, section 4.2"},
     true};
-inline const Knob<double> kDda2dNormalOffset =
-    normal_offset_knob("dda2d.normal_offset", "as roma.normal_offset", 1.5);
-inline const Knob<int> kDda2dEscape = escape_knob("dda2d.escape", "as roma.escape", 0);
+inline const Knob<double> kDda2dNormalOffset = normal_offset_knob(
+    "dda2d.normal_offset", "fewest wrong rays, see docs/user/error-split.md", 1.0);
+inline const Knob<int> kDda2dEscape =
+    escape_knob("dda2d.escape", "fewest wrong rays, see docs/user/error-split.md", 2);
 
 std::vector<const KnobBase*> dda2d_knobs();
 

@@ -15,9 +15,10 @@ inline const Knob<int> kSamplesCount{
     16,
     1,
     256};
-inline const Knob<double> kSamplesNormalOffset =
-    normal_offset_knob("samples.normal_offset", "as roma.normal_offset", 1.5);
-inline const Knob<int> kSamplesEscape = escape_knob("samples.escape", "as roma.escape", 0);
+inline const Knob<double> kSamplesNormalOffset = normal_offset_knob(
+    "samples.normal_offset", "fewest wrong rays, see docs/user/error-split.md", 0.5);
+inline const Knob<int> kSamplesEscape =
+    escape_knob("samples.escape", "fewest wrong rays, see docs/user/error-split.md", 2);
 
 std::vector<const KnobBase*> samples_knobs();
 
