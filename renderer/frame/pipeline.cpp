@@ -87,11 +87,11 @@ void Pipeline::set_pose(const Pose& pose) {
     if (!source_.motion.parts.empty()) {
         deform_.run(shaders_, timer_, scene_, source_.motion, pose);
         moved_ = true;
+        spatial_hash_.clear();
     }
     lights_.upload(lights_at(source_, pose));
     pose_ = pose;
     mean_.reset();
-    spatial_hash_.clear();
 }
 
 void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {

@@ -250,6 +250,20 @@ TEST_F(SpatialHashTest, WhatChangesTheMeaningOfCellsStartsAnew) {
     EXPECT_FALSE(is_fresh());
 }
 
+TEST_F(SpatialHashTest, AnimatedCamerasKeepTheCells) {
+    Scene scene = blocks();
+    scene.motion.nodes.resize(1);
+    scene.motion.cameras = {{0, 0}};
+    Pipeline pipeline(scene, ShaderLibrary());
+    for (int frame = 0; frame < 4; ++frame) {
+        Pose pose{{glm::dmat4(1.0)}, {}};
+        pose.node_to_world[0][3].x = 0.001 * frame;
+        pipeline.set_pose(pose);
+        pipeline.render(settings_, camera_at(scene, 0, pose));
+    }
+    EXPECT_LT(counts_of(pipeline)["hash insertions"], counts_of(pipeline)["hash cells"] / 2);
+}
+
 TEST_F(SpatialHashTest, CellsOutOfSightAreFreedInTime) {
     const Scene scene = blocks();
     settings_.set(kHashEvictionAge, 4);
@@ -337,6 +351,9 @@ TEST_F(SpatialHashTest, ViewsShowTheCells) {
         distinct.insert({colors.data[i], colors.data[i + 1], colors.data[i + 2]});
     const auto counts = counts_of(pipeline);
     EXPECT_GT(distinct.size(), 50u);
+    // Where a pixel's own place has no cell, that of its lookup is shown.
+    for (size_t i = 0; i < colors.data.size(); i += 3)
+        ASSERT_FALSE(colors.data[i] == 0.25f && colors.data[i + 1] == 0.0f) << "no cell";
     EXPECT_LE(distinct.size(), counts.at("hash cells") + 2);
     settings_.set(kHashView, HashView::failed);
     const Image none = render(pipeline, scene.cameras[0], 1);

@@ -2,6 +2,7 @@
 #include "renderer/reuse/spatial_hash/spatial_hash.h"
 
 #include "renderer/passes/compose.h"
+#include "renderer/reuse/surface_history.h"
 #include "shaders/common/random.h"
 #include "shaders/reuse/spatial_hash/pixel_cells.h"
 
@@ -9,7 +10,6 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace romascope {
 namespace {
@@ -28,8 +28,7 @@ float smallest_size(const Settings& settings) {
 float size_ratio(const Settings& settings, const View& view) {
     if (settings.get(kHashFixedSize) > 0.0)
         return 0.0f;
-    const double pixel = 2.0 * std::tan(0.5 * view.camera.vertical_fov) / view.size.y;
-    return static_cast<float>(settings.get(kHashFootprint) * pixel / settings.get(kHashSmallest));
+    return pixels_at_unit_depth(view, settings.get(kHashFootprint)) / smallest_size(settings);
 }
 
 /// More than any cell holds, where tracing never stops.

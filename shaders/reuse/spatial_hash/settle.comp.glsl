@@ -14,9 +14,9 @@ uniform uint max_age;
 shared uint group_counts[kHashCounts];
 
 void settle(uint slot) {
-    Cell before = load_cell(slot);
-    if (before.checksum == 0u)
+    if (hash_checksums[slot] == 0u)
         return;
+    Cell before = load_cell(slot);
     Cell cell = settled_cell(before, frame, max_age);
     if (cell != before)
         store_cell(slot, cell);

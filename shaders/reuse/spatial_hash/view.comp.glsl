@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
-// The table as seen from the camera: the cell at each pixel, without jitter. Nothing is taken.
+// The table as seen from the camera: the cell that each pixel lies in, without jitter, or if there is
+// none, that which the pixel used. Nothing is taken.
 //
-// In:   the G-buffer; the table; pixel_cells, where failures are shown
+// In:   the G-buffer; the table; pixel_cells of this frame, but for ages, which are shown before it
 // Out:  picture RGBA32F, linear; the background is black, a surface without a cell dark red
 // Host: see pixel_key.glsl and table.glsl; VIEW_HASH and VIEW_HASH_*; frame; sample_cap; max_age
 #include "shaders/reuse/spatial_hash/pixel_cells.h"
@@ -23,19 +24,23 @@ vec3 ramp(float x) {
 
 vec3 color_of(ivec2 pixel, Surface surface) {
     const vec3 kNothing = vec3(0.25, 0.0, 0.02);
-#if VIEW_HASH == VIEW_HASH_FAILED
     uvec2 words = texelFetch(pixel_cells, pixel, 0).xy;
+#if VIEW_HASH == VIEW_HASH_FAILED
     bool failed = (words.x & kSlotBits) == 0u && (words.y & kSlotBits) == 0u;
     return failed ? vec3(1.0, 0.1, 0.05) : vec3(0.2);
 #else
     CellKey key = key_at(surface, vec3(0.0), cell_level(wanted_ratio(surface)));
-    uint checksum = key_checksum(key);
-    uint slot = find_slot(home_hash(key), checksum);
+    uint slot = find_slot(home_hash(key), key_checksum(key));
+#if VIEW_HASH != VIEW_HASH_AGE
+    if (slot == kNoSlot)
+        slot = unpacked_slot((words.x & kSlotBits) != 0u ? words.x : words.y);
+#endif
     if (slot == kNoSlot)
         return kNothing;
     Cell cell = load_cell(slot);
 #if VIEW_HASH == VIEW_HASH_CELL
-    return mix(vec3(0.1), vec3(1.0), vec3(checksum & 255u, (checksum >> 8) & 255u, (checksum >> 16) & 255u) / 255.0);
+    uvec3 color = uvec3(cell.checksum, cell.checksum >> 8, cell.checksum >> 16) & 255u;
+    return mix(vec3(0.1), vec3(1.0), vec3(color) / 255.0);
 #elif VIEW_HASH == VIEW_HASH_SAMPLES
     return ramp(float(cell_samples(cell)) / float(sample_cap));
 #else
