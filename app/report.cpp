@@ -139,7 +139,8 @@ std::string report_table(const ReportFacts& facts) {
     if (!facts.counts.empty())
         text += fmt::format("\n{:<20} {:>12}\n", "last frame", "count");
     for (const NamedCount& counted : facts.counts)
-        text += fmt::format("{:<20} {:>12}\n", counted.name, counted.count);
+        text += fmt::format("{:<20} {:>12}{}\n", counted.name, counted.count,
+                            counted.of ? fmt::format("  {:.1f} %", counted.share()) : "");
     if (facts.errors) {
         text += '\n';
         text += error_table(*facts.errors);

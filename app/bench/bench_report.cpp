@@ -11,6 +11,9 @@
 namespace romascope {
 namespace {
 
+/// What all tracers of cells build first.
+constexpr std::string_view kOccupancyPass = "occupancy map";
+
 std::string kind_of(const PassTiming& timing) {
     return timing.rasterises ? "rasterises" : "compute";
 }
@@ -19,45 +22,39 @@ BenchRow pass_row(const std::string& variant, const std::string& phase, const Pa
     return {variant, phase, timing.pass, kind_of(timing), timing.batch, timing.milliseconds, {}, 0};
 }
 
-/// Their sum in each round; nothing if there are less than two.
+/// The sum, in each round, of the passes that are chosen; nothing if there are none.
+template <class Chosen>
 std::optional<BenchRow> sum_row(const std::string& variant, const std::string& name,
-                                const std::vector<PassTiming>& passes,
-                                std::optional<bool> rasterising) {
+                                const std::vector<PassTiming>& passes, const Chosen& chosen) {
     BenchRow row{variant, "build", name, "", 1, {}, {}, 0};
-    int count = 0;
     for (const PassTiming& pass : passes) {
-        if (rasterising && pass.rasterises != *rasterising)
+        if (!chosen(pass))
             continue;
-        row.kind = count == 0 || row.kind == kind_of(pass) ? kind_of(pass) : "both";
+        row.kind = row.kind.empty() || row.kind == kind_of(pass) ? kind_of(pass) : "both";
         row.milliseconds.resize(pass.milliseconds.size(), 0.0);
         std::ranges::transform(row.milliseconds, pass.milliseconds, row.milliseconds.begin(),
                                std::plus());
-        ++count;
     }
-    return count < 2 ? std::nullopt : std::optional(row);
+    return row.kind.empty() ? std::nullopt : std::optional(row);
 }
 
 std::vector<BenchRow> rows_of(const VariantTimes& variant) {
     std::vector<BenchRow> rows;
     for (const PassTiming& pass : variant.build)
         rows.push_back(pass_row(variant.name, "build", pass));
-    const auto add_sum = [&](const std::string& name, std::optional<bool> rasterising) {
-        if (std::optional<BenchRow> row = sum_row(variant.name, name, variant.build, rasterising))
+    const auto add_sum = [&](const std::string& name, const auto& chosen) {
+        if (std::optional<BenchRow> row = sum_row(variant.name, name, variant.build, chosen))
             rows.push_back(std::move(*row));
     };
-    const bool both = std::ranges::any_of(variant.build, &PassTiming::rasterises) &&
-                      !std::ranges::all_of(variant.build, &PassTiming::rasterises);
-    if (both) {
-        add_sum("sum of rasterising", true);
-        add_sum("sum of compute", false);
+    // Whatever they are made of, sums of the same name can be compared.
+    add_sum("sum beyond occupancy",
+            [](const PassTiming& pass) { return pass.pass != kOccupancyPass; });
+    if (std::ranges::any_of(variant.build, &PassTiming::rasterises) &&
+        !std::ranges::all_of(variant.build, &PassTiming::rasterises)) {
+        add_sum("sum of rasterising", [](const PassTiming& pass) { return pass.rasterises; });
+        add_sum("sum of compute", [](const PassTiming& pass) { return !pass.rasterises; });
     }
-    // There is always one, so that builds can be compared whatever they are made of.
-    if (variant.build.size() == 1) {
-        rows.push_back(rows.back());
-        rows.back().pass = "sum";
-    } else {
-        add_sum("sum", std::nullopt);
-    }
+    add_sum("sum", [](const PassTiming&) { return true; });
     for (const PassTiming& pass : variant.trace)
         rows.push_back(pass_row(variant.name, "trace", pass));
     for (BenchRow& row : rows)

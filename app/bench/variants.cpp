@@ -67,9 +67,11 @@ bool concerns(const Variation& variation, const std::string& tracer) {
     return variation.knob != &kTracer && !is_of_other_tracer(*variation.knob, tracer);
 }
 
-/// Those that differ in more than idle settings, which are left out of their names.
+/// Those that differ in more than idle settings, which are left out of their names. `used` gets the
+/// knobs that count in any.
 std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants,
-                                       const std::vector<Variation>& variations) {
+                                       const std::vector<Variation>& variations,
+                                       std::set<const KnobBase*>& used) {
     std::vector<BenchVariant> kept;
     for (const BenchVariant& variant : variants) {
         const std::string tracer = variant.settings.get(kTracer);
@@ -78,16 +80,36 @@ std::vector<BenchVariant> without_idle(const std::vector<BenchVariant>& variants
             const KnobBase& knob = *variation.knob;
             if (!concerns(variation, tracer))
                 continue;
-            if (!setting_that_wakes(knob, variant.settings).empty())
-                own.settings.reset(knob);
-            else
+            if (setting_that_wakes(knob, variant.settings).empty()) {
+                used.insert(&knob);
                 own.name +=
                     fmt::format(" {}={}", knob.key(), to_text(variant.settings.value(knob)));
+            } else {
+                own.settings.reset(knob);
+            }
         }
         if (std::ranges::find(kept, own.name, &BenchVariant::name) == kept.end())
             kept.push_back(own);
     }
     return kept;
+}
+
+/// Refuses a variation that decides nothing in any variant.
+void check_used(const std::vector<Variation>& variations, const std::set<const KnobBase*>& used,
+                const std::vector<BenchVariant>& variants) {
+    for (const Variation& variation : variations) {
+        if (used.contains(variation.knob))
+            continue;
+        for (const BenchVariant& variant : variants)
+            if (concerns(variation, variant.settings.get(kTracer)))
+                throw Error(fmt::format("--vary {}: it decides nothing without {}",
+                                        variation.knob->key(),
+                                        setting_that_wakes(*variation.knob, variant.settings)),
+                            kBadInput);
+        throw Error(
+            fmt::format("--vary {}: it concerns none of these tracers", variation.knob->key()),
+            kBadInput);
+    }
 }
 
 constexpr size_t kMostCombinations = size_t{1} << 16;
@@ -166,7 +188,6 @@ std::vector<BenchVariant> expand_variants(const Settings& base,
         for (const Variation& variation : variations) {
             if (!concerns(variation, tracer))
                 continue;
-            used.insert(variation.knob);
             std::vector<BenchVariant> more;
             for (const BenchVariant& variant : of_tracer) {
                 for (const std::string& value : variation.values) {
@@ -178,15 +199,11 @@ std::vector<BenchVariant> expand_variants(const Settings& base,
             // Many may be alike, as far as they count, but there is an end to it.
             check_count(of_tracer.size(), kMostCombinations, most);
         }
-        of_tracer = without_idle(of_tracer, variations);
+        of_tracer = without_idle(of_tracer, variations, used);
         all.insert(all.end(), of_tracer.begin(), of_tracer.end());
         check_count(all.size(), most, most);
     }
-    for (const Variation& variation : variations)
-        if (!used.contains(variation.knob))
-            throw Error(
-                fmt::format("--vary {}: it concerns none of these tracers", variation.knob->key()),
-                kBadInput);
+    check_used(variations, used, all);
     return all;
 }
 
@@ -198,9 +215,8 @@ size_t find_variant(const std::vector<BenchVariant>& variants, const std::string
         names.push_back(variants[i].name);
         if (names.back() == name)
             return i;
-        const std::vector<std::string> words = split(names.back(), ' ');
-        if (std::ranges::all_of(wanted, [&](const std::string& word) {
-                return std::ranges::find(words, word) != words.end();
+        if (std::ranges::all_of(wanted, [&](const std::string& part) {
+                return names.back().find(part) != std::string::npos;
             }))
             found.push_back(i);
     }

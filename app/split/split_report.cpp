@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <functional>
 
 namespace romascope {
@@ -59,18 +60,27 @@ std::string table_block(const Tally& tally) {
     return text + table_line("difference, %", tally, share(&StepErrors::difference), true);
 }
 
+/// Of a share, in per cent, as if rays were independent.
+double standard_error(int64_t count, const Tally& tally) {
+    const double share = percent(count, tally) / 100.0;
+    return tally.rays > 0
+               ? 100.0 * std::sqrt(share * (1.0 - share) / static_cast<double>(tally.rays))
+               : 0.0;
+}
+
 /// A line for each variant: what compares methods, whether they have candidates or not.
 std::string summary(const std::vector<SplitResult>& results) {
     std::string text =
-        fmt::format("\n{:>9} {:>9} {:>14} {:>12}  of all rays, along their own directions\n",
-                    "wrong, %", "leaks, %", "false shadows", "difference");
+        fmt::format("\n{:>9} {:>6} {:>9} {:>14} {:>12}  of all rays, along their own directions; "
+                    "+-: standard error\n",
+                    "wrong, %", "+-", "leaks, %", "false shadows", "difference");
     for (const SplitResult& result : results) {
         const Tally tally = result.all();
         const StepErrors& own = tally.of(Step::own_direction);
-        text +=
-            fmt::format("{:>9.3f} {:>9.3f} {:>14.3f} {:>+12.3f}  {}\n", percent(own.wrong(), tally),
-                        percent(own.leaks, tally), percent(own.false_shadows, tally),
-                        percent(own.difference(), tally), result.variant);
+        text += fmt::format("{:>9.3f} {:>6.3f} {:>9.3f} {:>14.3f} {:>+12.3f}  {}\n",
+                            percent(own.wrong(), tally), standard_error(own.wrong(), tally),
+                            percent(own.leaks, tally), percent(own.false_shadows, tally),
+                            percent(own.difference(), tally), result.variant);
     }
     return text;
 }
@@ -93,7 +103,8 @@ std::string split_table(const Facts& facts, const std::vector<std::string>& scen
     text += '\n';
     for (const SplitResult& result : results) {
         const std::vector<NamedTally> tallies = tallies_of(scenes, result);
-        text += fmt::format("\n{}\n{}", result.variant, table_block(tallies.back().tally));
+        text += fmt::format("\n{}, {} rays\n{}", result.variant, tallies.back().tally.rays,
+                            table_block(tallies.back().tally));
         if (tallies.size() == 1)
             continue;
         for (size_t i = 0; i + 1 < tallies.size(); ++i) {

@@ -32,6 +32,10 @@ struct StructureBytes {
 struct NamedCount {
     std::string name;
     uint64_t count = 0;
+    uint64_t of = 0; ///< what it is a part of, where it is told as a share too; else 0
+
+    /// In per cent.
+    double share() const { return 100.0 * static_cast<double>(count) / static_cast<double>(of); }
 };
 
 } // namespace romascope

@@ -13,7 +13,8 @@ namespace romascope {
 
 const std::vector<TracerEntry>& tracers() {
     static const std::vector<TracerEntry> entries = {
-        {"roma", "ray-aligned occupancy map array, aligned by rotation (Zeng et al. 2023)",
+        {"roma",
+         "ray-aligned occupancy map array (Zeng et al. 2023), aligned by rotation or by shear",
          make_roma_tracer, roma_knobs},
         {"dda", "cell by cell through the base occupancy map: exact about its cells",
          make_dda_tracer, dda_knobs},

@@ -63,6 +63,13 @@ class Bench(CliTest):
                 for row in found:
                     self.assertAlmostEqual(float(row["median_ms"]), sum(of_kind),
                                            delta=1e-5 * sum(of_kind))
+            beyond = [float(row["median_ms"]) for row in passes if row["pass"] != "occupancy map"]
+            found = [row for row in build if row["pass"] == "sum beyond occupancy"]
+            self.assertEqual(len(found), 1 if beyond else 0)
+            for row in found:
+                self.assertAlmostEqual(float(row["median_ms"]), sum(beyond), delta=1e-5 * sum(beyond))
+                # Alignments have passes of other names, and are compared by this.
+                self.assertGreater(float(row["ratio"]), 0)
 
     def test_ratios_are_to_the_baseline(self):
         for name in ("dda", "dda2d dda2d.hierarchy=false", "dda2d.hierarchy=true"):
@@ -126,6 +133,8 @@ class Bench(CliTest):
                 (("--vary", "technique.tracer=dda", "--vary", "roma.taps=1,2"), "none of these"),
                 (("--vary", "occupancy.resolution=" + ",".join(map(str, range(32, 132)))),
                  "more than 64"),
+                (("--set", "roma.alignment=rotate", "--vary", "roma.taps=1,2"),
+                 "decides nothing without roma.alignment=shear"),
                 (("--vary", "hash.enabled=true,false"), "without the stages that reuse"),
                 (("--technique", "roma-hash"), "hash.enabled: "),
                 (("--set", "technique.tracer=rom"), "did you mean 'roma'"),

@@ -142,7 +142,8 @@ void Costs::draw_counts() const {
         return;
     heading("counted in the last frame", {""});
     for (const NamedCount& count : counts_)
-        row(count.name, {fmt::format("{}", count.count)});
+        row(count.name, {count.of ? fmt::format("{:.1f} %  {}", count.share(), count.count)
+                                  : fmt::format("{}", count.count)});
     ImGui::EndTable();
 }
 

@@ -87,7 +87,7 @@ std::vector<NamedCount> RomaTracer::counts() const {
     if (count_buffer_.bytes() == 0)
         return {};
     const std::vector<uint32_t> counts = count_buffer_.download<uint32_t>();
-    return {{"rays", counts[0]}, {"unfinished rays", counts[1]}};
+    return {{"rays", counts[0]}, {"unfinished rays", counts[1], counts[0]}};
 }
 
 std::vector<ShaderDefine> RomaTracer::shader_defines(const Settings& settings) const {
