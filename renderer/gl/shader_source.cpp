@@ -26,6 +26,12 @@ std::string included_path(const std::string& line) {
     return end == std::string::npos ? std::string{} : line.substr(begin, end - begin);
 }
 
+/// Whether a line ends a group of lines that may have been left out, with the #line in it.
+bool ends_group(std::string_view line) {
+    line.remove_prefix(std::min(line.find_first_not_of(" \t"), line.size()));
+    return line.starts_with("#else") || line.starts_with("#elif") || line.starts_with("#endif");
+}
+
 } // namespace
 
 void ShaderLibrary::add(const std::string& file, const std::string& text) {
@@ -108,11 +114,14 @@ void ShaderLibrary::append(const ShaderVariant& variant, const std::string& file
     set_line(1);
     std::istringstream lines(text);
     std::string line;
+    bool included = false;
     for (int line_number = 1; std::getline(lines, line); ++line_number) {
         std::string path = included_path(line);
         if (path.empty()) {
             // Headers shared with C++ carry a pragma that GLSL compilers warn about.
             out.text += line.starts_with("#pragma once") ? "\n" : line + "\n";
+            if (included && ends_group(line))
+                set_line(line_number + 1);
             continue;
         }
         if (const auto chosen = variant.includes.find(path); chosen != variant.includes.end())
@@ -122,6 +131,7 @@ void ShaderLibrary::append(const ShaderVariant& variant, const std::string& file
         if (std::find(out.files.begin(), out.files.end(), path) == out.files.end())
             append(variant, path, fmt::format("{}:{}", file, line_number), out);
         set_line(line_number + 1);
+        included = true;
     }
 }
 

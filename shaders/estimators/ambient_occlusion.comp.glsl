@@ -9,7 +9,6 @@
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
 #include "shaders/common/tangent_frame.glsl"
-#include "shaders/estimators/trace_mask.h" // here, not in the choice below: lines keep their numbers
 #include "tracer.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
@@ -17,6 +16,7 @@ layout(r16, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed_key;
 uniform uint frame;
 #if AO_MASKED
+#include "shaders/estimators/trace_mask.h"
 layout(binding = 2) uniform usampler2D trace_mask;
 #endif
 #if AO_UNBOUNDED

@@ -69,6 +69,21 @@ TEST(ShaderSources, EveryFileIsUsedByAVariant) {
         EXPECT_TRUE(used.contains(std::string(file))) << file;
 }
 
+TEST(ShaderSources, LinesAfterAGroupThatIsLeftOutKeepTheirNumbers) {
+    ShaderLibrary library;
+    library.add("part.glsl", "int part;\n");
+    library.add("whole.glsl",
+                "#if CHOICE\n#include \"part.glsl\"\n  #else\nint other;\n#endif\nint late;\n");
+    const std::string text =
+        library.expand({"whole", {{GL_COMPUTE_SHADER, "whole.glsl"}}, {{"CHOICE", "0"}}, {}})
+            .at(0)
+            .text;
+    // A compiler that leaves the include out sees no #line in it.
+    EXPECT_NE(text.find("#else\n#line 4\nint other;\n#endif\n#line 6\nint late;\n"),
+              std::string::npos)
+        << text;
+}
+
 TEST(ShaderSources, LogsNameFilesWhateverTheDriver) {
     const std::vector<std::string> files = {"a.glsl", "b.glsl"};
     EXPECT_EQ(name_files_in_log("0:10012(3): error: x", files), "b.glsl:12: error: x");  // Mesa
