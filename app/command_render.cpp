@@ -29,6 +29,7 @@ struct RenderOptions {
     fs::path output, report, reference_output, error_map, shaders;
     SettingsOptions settings;
     SceneOptions memory;
+    std::vector<std::string> path;
     std::optional<int> reference_samples;
     bool print_config = false;
     bool table = false;
@@ -53,6 +54,8 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
             kBadInput);
     if (options.flicker && settings.get(kFrames) < 2)
         throw Error("--flicker needs at least --frames 2", kBadInput);
+    if (!options.path.empty() && settings.get(kFrames) < 2)
+        throw Error("--path needs at least --frames 2: all frames together fly it", kBadInput);
     check_tracer(settings);
     if (options.reference_samples)
         check_reference(settings, *options.reference_samples);
@@ -72,7 +75,7 @@ int render(const RenderOptions& options) {
     check_output_files(
         {options.output, options.report, options.reference_output, options.error_map}, inputs);
     Scene scene = options.memory.load(file);
-    Showing showing(scene, settings);
+    Showing showing(scene, settings, options.path);
     if (showing.is_asked_in_vain())
         tell_notice(file, "has no animation: --time and --fps change nothing");
 
@@ -89,7 +92,10 @@ int render(const RenderOptions& options) {
     std::optional<FlickerWatch> flicker;
     if (options.flicker)
         flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
+    FlightWatch flight;
     const FrameRun run = render_frames(pipeline, settings, showing, [&](int frame) {
+        if (!options.path.empty())
+            flight(pipeline);
         if (flicker)
             (*flicker)(pipeline, frame);
     });
@@ -106,6 +112,10 @@ int render(const RenderOptions& options) {
     facts.timings = run.timings;
     facts.bytes = run.bytes;
     facts.counts = run.counts;
+    if (!options.path.empty()) {
+        facts.flight = flight.facts();
+        facts.flight->stops = showing.stops();
+    }
     if (options.reference_samples) {
         const int samples = *options.reference_samples;
         const AoReference truth = truth_of(scene, camera, settings, samples, !options.no_cache);
@@ -155,6 +165,11 @@ Command add_render_command(CLI::App& app) {
         ->type_name("FILE");
     command->add_option("--error-map", options->error_map, "picture of FLIP against the truth")
         ->type_name("FILE");
+    command
+        ->add_option("--path", options->path,
+                     "fly through cameras in turn; repeated for each, or all: those of the scene")
+        ->type_name("CAMERA")
+        ->allow_extra_args(false);
     command->add_flag("--flicker", options->flicker,
                       "with --reference: how much frames change that the truth does not");
     command->add_flag("--no-cache", options->no_cache, "compute the reference anew");

@@ -5,10 +5,16 @@
 #include "renderer/base/error.h"
 #include "renderer/base/memory.h"
 #include "renderer/metrics/compare.h"
+#include "renderer/scene/camera_path.h"
 #include "renderer/scene/pose.h"
 #include "renderer/scene/scene_bytes.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
 
 namespace romascope {
 namespace {
@@ -45,16 +51,41 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
             given ? kBadInput : 1);
 }
 
-Showing::Showing(const Scene& scene, const Settings& settings)
-    : scene_(scene), settings_(settings), pose_(pose_of_frame(scene, settings, 0)),
-      camera_(chosen_camera(scene, settings, pose_)) {}
+Showing::Showing(const Scene& scene, const Settings& settings,
+                 const std::vector<std::string>& stops)
+    : scene_(scene), settings_(settings), stops_(stops), pose_(pose_of_frame(scene, settings, 0)) {
+    if (stops_ == std::vector<std::string>{"all"}) {
+        stops_.clear();
+        for (const Camera& camera : scene.cameras)
+            stops_.push_back(camera.name);
+    }
+    if (!stops.empty() && stops_.size() < 2)
+        throw Error(fmt::format("--path {}: a flight needs two cameras or more; give --path again "
+                                "for each further one ",
+                                fmt::join(stops, " ")),
+                    kBadInput);
+    camera_ = camera_of_frame();
+}
 
 void Showing::go_to(int frame) {
-    if (frame == frame_ || settings_.get(kFps) == 0.0 || scene_.motion.empty())
+    if (frame == frame_ || !changes())
         return;
     frame_ = frame;
-    pose_ = pose_of_frame(scene_, settings_, frame);
-    camera_ = chosen_camera(scene_, settings_, pose_);
+    if (time_goes_on())
+        pose_ = pose_of_frame(scene_, settings_, frame);
+    camera_ = camera_of_frame();
+}
+
+bool Showing::time_goes_on() const { return settings_.get(kFps) != 0.0 && !scene_.motion.empty(); }
+
+Camera Showing::camera_of_frame() const {
+    if (stops_.empty())
+        return chosen_camera(scene_, settings_, pose_);
+    std::vector<Camera> cameras;
+    for (const std::string& stop : stops_)
+        cameras.push_back(named_camera(scene_, stop, pose_));
+    const int last = std::max(settings_.get(kFrames) - 1, 1);
+    return camera_along(cameras, static_cast<double>(frame_) / last);
 }
 
 bool Showing::is_asked_in_vain() const {
@@ -116,14 +147,31 @@ FlickerWatch::FlickerWatch(const Scene& scene, const Settings& settings, const S
 void FlickerWatch::operator()(const Pipeline& pipeline, int frame) {
     if (frame + 1 < settings_.get(kFrames) / 2)
         return;
-    const bool moves = settings_.get(kFps) != 0.0 && !scene_.motion.empty();
-    if (moves || !truth_) {
+    if (showing_.changes() || !truth_) {
         Scene posed = scene_;
         if (!posed.motion.empty())
             apply_pose(posed, showing_.pose());
         truth_ = truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
     }
     flicker_.add(*truth_, pipeline.picture());
+}
+
+void FlightWatch::operator()(const Pipeline& pipeline) {
+    const Image picture = pipeline.picture();
+    const auto channels = static_cast<size_t>(picture.channels);
+    for (size_t at = 0; at + channels <= picture.data.size(); at += channels) {
+        const std::span<const float> pixel(&picture.data[at], channels);
+        const bool finite = std::ranges::all_of(pixel, [](float x) { return std::isfinite(x); });
+        const bool lit = std::ranges::any_of(pixel, [](float x) { return x > 0.0f; });
+        facts_.black_pixels += finite && lit ? 0 : 1;
+    }
+    for (const NamedCount& count : pipeline.counts()) {
+        const auto known = std::ranges::find(facts_.most, count.name, &NamedCount::name);
+        if (known == facts_.most.end())
+            facts_.most.push_back(count);
+        else if (known->count < count.count)
+            *known = count;
+    }
 }
 
 ReportErrors judge(const AoReference& truth, const Image& picture, int samples) {

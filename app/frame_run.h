@@ -18,20 +18,32 @@ namespace romascope {
 /// bound comes from the user, not from the machine. Throws Error.
 void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given);
 
-/// What the frames show: the pose and the camera of each in turn, made anew only as time goes on.
+/// What the frames show: the pose and the camera of each in turn, made anew only as time goes on or
+/// the camera flies.
 class Showing {
 public:
-    /// Keeps references. Throws Error (kBadInput) if the scene lacks what the settings name.
-    Showing(const Scene& scene, const Settings& settings);
+    /// Keeps references. `stops`: cameras that all frames together fly through, as the setting
+    /// render.camera names one, or "all"; with none the camera of the settings stands. Throws Error
+    /// (kBadInput) if the scene lacks what the settings or stops name, or if there is one stop
+    /// only.
+    Showing(const Scene& scene, const Settings& settings,
+            const std::vector<std::string>& stops = {});
     void go_to(int frame); ///< counted from 0
     /// Whether the settings ask for a time or a course of time though the scene has no animation.
     bool is_asked_in_vain() const;
+    /// Whether frames differ in what they should show.
+    bool changes() const { return !stops_.empty() || time_goes_on(); }
+    const std::vector<std::string>& stops() const { return stops_; }
     const Pose& pose() const { return pose_; }
     const Camera& camera() const { return camera_; }
 
 private:
+    bool time_goes_on() const;
+    Camera camera_of_frame() const;
+
     const Scene& scene_;
     const Settings& settings_;
+    std::vector<std::string> stops_; ///< empty, or two and more
     int frame_ = 0;
     Pose pose_;
     Camera camera_;
@@ -44,6 +56,17 @@ struct FrameRun {
     std::vector<PassTiming> timings; ///< without the first frame, which compiles, unless alone
     std::vector<StructureBytes> bytes;
     std::vector<NamedCount> counts; ///< of the last frame
+};
+
+/// What goes wrong on the way, from frame to frame.
+class FlightWatch {
+public:
+    /// Looks at the frame that was rendered last.
+    void operator()(const Pipeline& pipeline);
+    const FlightFacts& facts() const { return facts_; }
+
+private:
+    FlightFacts facts_;
 };
 
 /// Renders as many frames as the settings say, from the first on: a pipeline that has rendered

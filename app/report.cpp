@@ -8,6 +8,7 @@
 #include "renderer/scene/pose.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -57,6 +58,16 @@ Json passes_json(const ReportFacts& facts) {
     return json;
 }
 
+std::string count_table(const char* title, const std::vector<NamedCount>& counts) {
+    std::string text;
+    if (!counts.empty())
+        text += fmt::format("\n{:<20} {:>12}\n", title, "count");
+    for (const NamedCount& counted : counts)
+        text += fmt::format("{:<20} {:>12}{}\n", counted.name, counted.count,
+                            counted.of ? fmt::format("  {:.1f} %", counted.share()) : "");
+    return text;
+}
+
 } // namespace
 
 std::string report_json(const ReportFacts& facts) {
@@ -79,6 +90,13 @@ std::string report_json(const ReportFacts& facts) {
     json["counts"] = Json::object();
     for (const NamedCount& counted : facts.counts)
         json["counts"][counted.name] = counted.count;
+    if (facts.flight) {
+        json["flight"] = {{"cameras", facts.flight->stops},
+                          {"black_pixels", facts.flight->black_pixels},
+                          {"most", Json::object()}};
+        for (const NamedCount& counted : facts.flight->most)
+            json["flight"]["most"][counted.name] = counted.count;
+    }
     if (facts.errors) {
         json["errors"] = {{"reference_samples", facts.errors->samples},
                           {"reference_seconds", facts.errors->reference_seconds},
@@ -110,7 +128,9 @@ std::string error_table(const ReportErrors& errors) {
 std::string report_table(const ReportFacts& facts) {
     const Settings& settings = *facts.settings;
     std::string text = fmt::format(
-        "{}, camera {}, {}x{}, {} frames, seed {}{}\n\n", facts.scene->name, facts.camera.name,
+        "{}, {} {}, {}x{}, {} frames, seed {}{}\n\n", facts.scene->name,
+        facts.flight ? "flight through" : "camera",
+        facts.flight ? fmt::format("{}", fmt::join(facts.flight->stops, ", ")) : facts.camera.name,
         settings.get(kWidth), settings.get(kHeight), settings.get(kFrames), settings.get(kSeed),
         facts.technique.empty() ? "" : fmt::format(", technique {}", facts.technique));
     text += fmt::format("{:<20} {:>12} {:>12} {:>5}\n", "pass", "median ms", "p95 ms", "n");
@@ -136,11 +156,12 @@ std::string report_table(const ReportFacts& facts) {
         total_bytes += structure.bytes;
     }
     text += fmt::format("{:<20} {:>12}\n", "sum", total_bytes);
-    if (!facts.counts.empty())
-        text += fmt::format("\n{:<20} {:>12}\n", "last frame", "count");
-    for (const NamedCount& counted : facts.counts)
-        text += fmt::format("{:<20} {:>12}{}\n", counted.name, counted.count,
-                            counted.of ? fmt::format("  {:.1f} %", counted.share()) : "");
+    text += count_table("last frame", facts.counts);
+    if (facts.flight) {
+        text += count_table("most in a frame", facts.flight->most);
+        text += fmt::format("\n{:<20} {:>12}  in all frames\n", "black pixels",
+                            facts.flight->black_pixels);
+    }
     if (facts.errors) {
         text += '\n';
         text += error_table(*facts.errors);

@@ -26,6 +26,14 @@ struct ReportErrors {
     std::optional<double> flicker; ///< see Flicker
 };
 
+/// What went wrong in any frame of a flight.
+struct FlightFacts {
+    std::vector<std::string> stops; ///< cameras that it went through
+    /// Pixels, of all frames together, that were black or not finite. The background is not.
+    uint64_t black_pixels = 0;
+    std::vector<NamedCount> most; ///< of each count the largest of a frame
+};
+
 /// Everything a report holds, gathered while rendering.
 struct ReportFacts {
     std::string technique; ///< empty if none was named
@@ -39,6 +47,7 @@ struct ReportFacts {
     std::vector<PassTiming> timings;
     std::vector<StructureBytes> bytes;
     std::vector<NamedCount> counts; ///< of the last frame
+    std::optional<FlightFacts> flight;
     std::optional<ReportErrors> errors;
 };
 

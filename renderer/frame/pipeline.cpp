@@ -50,8 +50,7 @@ void check_tracer(const Settings& settings) {
         chosen_structure_view(*tracer, settings);
 }
 
-Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose) {
-    const std::string text = settings.get(kCamera);
+Camera named_camera(const Scene& scene, const std::string& text, const Pose& pose) {
     if (text.empty())
         return camera_at(scene, 0, pose);
     const bool named = std::ranges::find(scene.cameras, text, &Camera::name) != scene.cameras.end();
@@ -60,6 +59,10 @@ Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& p
         return parse_camera(text);
     const auto index = static_cast<size_t>(&scene.camera(text) - scene.cameras.data());
     return camera_at(scene, index, pose);
+}
+
+Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose) {
+    return named_camera(scene, settings.get(kCamera), pose);
 }
 
 View view_of_frame(const Settings& settings, const Camera& camera, const Bounds& bounds,

@@ -91,8 +91,12 @@ private:
     uint32_t frame_ = 0; ///< in the random sequences
 };
 
-/// The camera that the settings name: of the scene as it stands in that pose, or spelled out.
-/// Throws Error (kBadInput) for a name the scene does not have.
+/// The camera of that name, of the scene as it stands in that pose; or spelled out as in
+/// parse_camera; for no text the scene's first. Throws Error (kBadInput) for a name that the scene
+/// does not have.
+Camera named_camera(const Scene& scene, const std::string& text, const Pose& pose);
+
+/// The one that the settings name.
 Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose);
 
 /// Camera and picture of frame `frame` of a scene with these bounds.

@@ -132,6 +132,36 @@ class Reference(CliTest):
         self.assertGreater(filtered, 0)
         self.assertLess(filtered, 0.2 * alone)
 
+    def test_flight(self):
+        def fly(*words):
+            text = self.render("last.hdr", "--technique", "roma-hash", "--set", "hash.capacity=10",
+                               "--frames", "5", "--table", *words).stdout
+            self.assertRegex(text, r"\A\S+, flight through front, above, ")
+            return self.path("last.hdr").read_bytes(), text
+
+        # What nothing can occlude is white everywhere, however full the table.
+        last, text = fly("--path", "front", "--path", "above", "--set", "ao.radius=0.0001")
+        self.assertRegex(text, r"\nmost in a frame +count\n")
+        self.assertRegex(text, r"\nblack pixels +0 ")
+        failed = [int(n) for n in re.findall(r"^hash failed pixels +(\d+)$", text, re.MULTILINE)]
+        self.assertEqual(len(failed), 2)
+        self.assertLessEqual(failed[0], failed[1])
+        self.assertGreater(failed[1], 0)
+        self.assertEqual(last, fly("--path", "all", "--set", "ao.radius=0.0001")[0])
+        # The last frame is where the last camera stands.
+        one = ("--set", "ao.rays=64", "--set", "hash.enabled=false", "--set", "mean.enabled=false")
+        fly("--path", "all", *one)
+        self.path("last.hdr").rename(self.path("flown.hdr"))
+        self.render("above.hdr", "--technique", "roma-hash", "--camera", "above", "--frames",
+                    "5", *one)
+        self.assertEqual(self.path("flown.hdr").read_bytes(), self.path("above.hdr").read_bytes())
+
+    def test_flight_refused(self):
+        self.refuse_render("--path", "all", says=("--frames 2",))
+        self.refuse_render("--path", "front", "--frames", "2", says=("two cameras",))
+        self.refuse_render("--path", "front", "--path", "abve", "--frames", "2",
+                           says=("did you mean 'above'",))
+
     def test_flicker_refused(self):
         self.refuse_render("--flicker", "--frames", "4", says=("--reference",))
         self.refuse_render("--flicker", "--reference", "4", says=("--frames 2",))

@@ -43,7 +43,11 @@ def fields(report):
 
 
 def elements(name, value):
-    """Of a list of objects each field; of a list of texts each text; else the value itself."""
+    """Of a list of objects each field; of a list of texts each text; of figures by name each; else
+    the value itself."""
+    if isinstance(value, dict):
+        yield from ((f"{name}.*", entry) for entry in value.values())
+        return
     if not isinstance(value, list) or any(isinstance(element, float) for element in value):
         yield name, value
         return
@@ -64,6 +68,7 @@ class Report(CliTest):
         self.assertGreater(len(documented), 30)
         for words in ((), ("--technique", "roma"), ("--reference", "4"),
                       ("--reference", "4", "--flicker", "--frames", "3"),
+                      ("--path", "all", "--frames", "2", "--technique", "roma-hash"),
                       ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60"),
                       ("--set", "roma.snap=false")):
             report = self.report(*words)
@@ -73,7 +78,8 @@ class Report(CliTest):
                 ("scene.animations[]", "scene.notices[]")
                 + (() if "--reference" in words else ("errors.",))
                 + (() if "--flicker" in words else ("errors.flicker",))
-                + (() if "roma.snap=false" in words else ("counts.",)))}
+                + (() if "--path" in words else ("flight.",))
+                + (() if "roma.snap=false" in words or "--path" in words else ("counts.",)))}
             self.assertEqual(found - documented.keys(), set())
             self.assertEqual(documented.keys() - found - maybe, set())
             self.assertIn("animations", report["scene"])

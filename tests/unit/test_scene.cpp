@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/scene/camera_path.h"
 #include "renderer/scene/gltf/import.h"
 #include "renderer/scene/scene.h"
 #include "tests/support/expect_error.h"
@@ -143,6 +144,58 @@ TEST(Scene, camera_by_name) {
     const std::string text = error_of([&] { scene.camera("roof"); });
     EXPECT_CONTAINS(text, "'roof'");
     EXPECT_CONTAINS(text, "nave, stairs");
+}
+
+/// A camera at `eye` that looks along `way`.
+Camera camera_towards(glm::vec3 eye, glm::vec3 way, float fov) {
+    return look_at("somewhere", eye, eye + way, fov);
+}
+
+TEST(CameraPathTest, PassesEachCamera) {
+    const std::vector<Camera> stops = {camera_towards({0, 1, 2}, {1, 0.2f, 0}, 1.0f),
+                                       camera_towards({4, 2, 0}, {0, -0.5f, 1}, 0.5f),
+                                       camera_towards({4, 2, 9}, {-1, 0, 0}, 1.5f),
+                                       camera_towards({0, 7, 9}, {0, -1, 0.1f}, 0.9f)};
+    for (size_t i = 0; i < stops.size(); ++i) {
+        const double at = static_cast<double>(i) / 3;
+        for (const double near : {at - 1e-6, at, at + 1e-6}) {
+            const Camera camera = camera_along(stops, near);
+            EXPECT_LT(glm::distance(camera.eye, stops[i].eye), 1e-4f);
+            EXPECT_LT(glm::distance(camera.forward, stops[i].forward), 1e-4f);
+            EXPECT_LT(glm::distance(camera.up, stops[i].up), 1e-4f);
+            EXPECT_NEAR(camera.vertical_fov, stops[i].vertical_fov, 1e-4f);
+        }
+    }
+    EXPECT_EQ(camera_along(stops, -1).eye, stops[0].eye);
+    EXPECT_EQ(camera_along(stops, 2).eye, stops[3].eye);
+    EXPECT_EQ(camera_along(std::span(stops).first(1), 0.7).eye, stops[0].eye);
+}
+
+TEST(CameraPathTest, GoesEvenlyAlongALine) {
+    std::vector<Camera> stops;
+    for (int i = 0; i < 5; ++i)
+        stops.push_back(camera_towards({2.0f * static_cast<float>(i), 1, 0}, {0, 0, -1}, 1.0f));
+    for (double way = 0.25; way <= 0.75; way += 0.01) // apart from the doubled ends
+        EXPECT_LT(glm::distance(camera_along(stops, way).eye, glm::vec3(8 * way, 1, 0)), 1e-4f);
+}
+
+TEST(CameraPathTest, HasNoKinksAndTurnsTheShortestWay) {
+    const std::vector<Camera> stops = {camera_towards({0, 0, 0}, {0, 0, -1}, 1.0f),
+                                       camera_towards({1, 0, 0}, {1, 0, 0}, 1.0f),
+                                       camera_towards({1, 0, 5}, {0, 0, 1}, 1.0f)};
+    constexpr double kStep = 1e-3;
+    for (double way = kStep; way < 1 - kStep; way += kStep) {
+        const Camera before = camera_along(stops, way - kStep), at = camera_along(stops, way),
+                     after = camera_along(stops, way + kStep);
+        // A leg of 5 m in half the way bends by up to 60 m, 6e-5 in a step squared; a corner
+        // would change the step itself, by 1e-2.
+        EXPECT_LT(glm::length(after.eye - 2.0f * at.eye + before.eye), 2e-4f) << way;
+        EXPECT_NEAR(glm::dot(at.forward, at.up), 0, 1e-5f);
+        EXPECT_NEAR(glm::length(at.forward), 1, 1e-5f);
+        EXPECT_NEAR(glm::length(at.up), 1, 1e-5f);
+        // A half turn in all, 180 degrees over the whole way.
+        EXPECT_NEAR(glm::dot(before.forward, at.forward), std::cos(3.14159265 * kStep), 1e-5);
+    }
 }
 
 } // namespace
