@@ -60,7 +60,7 @@ class Pictures(CliTest):
 
     def test_table(self):
         text = self.render("out.png", "--table", "--reference", "4").stdout
-        for word in ("gbuffer", "roma rotation", "ambient occlusion", "bytes", "FLIP", "RMSE",
+        for word in ("gbuffer", "roma shear", "ambient occlusion", "bytes", "FLIP", "RMSE",
                      "signed bias", "clock"):
             self.assertIn(word, text)
 

@@ -53,7 +53,7 @@ class Split(CliTest):
 
     def test_all_scenes_are_the_sum(self):
         glb.write_glb(self.path("other.glb"), *glb.box_on_floor())
-        _, rows = self.split("--technique", "roma-shear", scenes=("scene.glb", "other.glb"))
+        _, rows = self.split("--technique", "roma-rotate", scenes=("scene.glb", "other.glb"))
         self.assertEqual([row["scene"] for row in rows],
                          ["scene"] * 5 + ["other"] * 5 + ["all"] * 5)
         for step in STEPS:

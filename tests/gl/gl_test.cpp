@@ -87,6 +87,11 @@ glm::vec3 random_direction(std::mt19937& random) {
     return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));
 }
 
+void leave_all_own_cells(Settings& settings) {
+    settings.set(kRomaNormalOffset, 2.0);
+    settings.set(kRomaEscape, 0);
+}
+
 Texture upload_grid(const BitGrid& grid) {
     const glm::ivec3 texels(grid.size().x, grid.size().y, grid.words_per_column());
     Texture texture("test grid", GL_TEXTURE_3D, GL_R32UI, texels);

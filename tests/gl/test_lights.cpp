@@ -20,6 +20,7 @@ protected:
         settings_.set(kHeight, 36);
         settings_.set(kOccupancyResolution, 32);
         settings_.set(kRomaAngularResolution, 2);
+        leave_all_own_cells(settings_);
         settings_.set(kView, PictureKind::lit);
         settings_.set(kHighlights, Highlights::clip); // the formulas are of radiance
         settings_.set(kSkyStrength, 0.0);

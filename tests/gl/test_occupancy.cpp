@@ -265,6 +265,7 @@ TEST_F(OccupancyTest, OneAxisLeavesHolesInSteepSurfaces) {
     corners.insert(corners.end(), floor.begin(), floor.end());
     const Scene scene = scene_of_triangles(corners);
     const GpuScene gpu_scene(scene);
+    settings_.set(kOccupancyBuilder, OccupancyBuilder::raster);
     OccupancyMap map;
     map.build(frame(gpu_scene, settings_));
     const size_t all = map.download().count();

@@ -18,6 +18,11 @@ struct Case {
 
 class RomaTest : public AlignedMapsTest {
 protected:
+    RomaTest() {
+        settings_.set(kRomaAlignment, RomaAlignment::rotate);
+        settings_.set(kRomaNormalOffset, 1.5);
+        settings_.set(kRomaEscape, 0);
+    }
     void prepare(const Case& c, unsigned seed) {
         settings_.set(kOccupancyResolution, c.side);
         settings_.set(kRomaAngularResolution, c.angular);

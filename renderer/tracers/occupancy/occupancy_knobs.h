@@ -32,8 +32,9 @@ inline const Knob<OccupancyBuilder> kOccupancyBuilder{
      .help =
          "How the occupancy map is made: rasterised along the axes, as published, or triangle by "
          "triangle in compute.",
-     .source = "Zeng et al. 2023, section 6"},
-    OccupancyBuilder::raster,
+     .source = "measured: compute is several times faster, with the same share of wrong rays; "
+               "raster: Zeng et al. 2023, section 6"},
+    OccupancyBuilder::compute,
     {"raster", "compute"}};
 inline const Knob<OccupancyCoverage> kOccupancyCoverage{
     {.key = "occupancy.coverage",
