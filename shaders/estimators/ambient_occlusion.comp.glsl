@@ -5,20 +5,20 @@
 // In:   the G-buffer; "tracer.glsl", chosen by the host
 // Out:  visibility, R16, one value in [0, 1] per pixel and frame: fine enough for any number of rays
 // Host: AO_UNBOUNDED 0 or 1, else radius in metres; AO_RAYS; SAMPLE_CANDIDATES 0 or 1; frame; seed_key: the hashed seed;
-//       AO_MASKED 0 or 1: only pixels of trace_mask with kTraceBit are traced and written
+//       AO_LISTED 0 or 1: only pixels of a list are traced and written (listed_pixels.glsl)
 #include "shaders/common/random.h"
 #include "shaders/common/surface.glsl"
 #include "shaders/common/tangent_frame.glsl"
 #include "tracer.glsl"
 
+#if AO_LISTED
+#include "shaders/estimators/listed_pixels.glsl"
+#else
 layout(local_size_x = 16, local_size_y = 8) in;
+#endif
 layout(r16, binding = 0) writeonly uniform image2D visibility;
 uniform uint seed_key;
 uniform uint frame;
-#if AO_MASKED
-#include "shaders/estimators/trace_mask.h"
-layout(binding = 2) uniform usampler2D trace_mask;
-#endif
 #if AO_UNBOUNDED
 #define RAY_LENGTH uintBitsToFloat(0x7F800000u) // a constant, so that the ray's end costs nothing
 #else
@@ -86,11 +86,13 @@ int free_rays(ivec2 pixel, Surface surface) {
 #endif
 
 void main() {
+#if AO_LISTED
+    ivec2 pixel;
+    if (!next_listed(pixel))
+        return;
+#else
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, picture_size)))
-        return;
-#if AO_MASKED
-    if ((texelFetch(trace_mask, pixel, 0).x & kTraceBit) == 0u)
         return;
 #endif
     Surface surface = surface_at(pixel);

@@ -331,7 +331,7 @@ TEST_F(SpatialHashTest, TwelveBytesACell) {
         return found;
     };
     EXPECT_EQ(bytes(), 12u << 14);
-    EXPECT_LE(bytes() + 64 * 48 * 8, SpatialHash::bytes_needed(settings_, 64 * 48));
+    EXPECT_LE(bytes() + 64 * 48 * 12, SpatialHash::bytes_needed(settings_, 64 * 48));
     settings_.set(kHashEnabled, false);
     render(pipeline, scene.cameras[0], 1);
     EXPECT_EQ(bytes(), 0u);

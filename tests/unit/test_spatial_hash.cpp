@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 #include <xxhash.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <map>
@@ -148,8 +149,12 @@ std::vector<CellKey> keys_of_a_room() {
 TEST(KeyHashes, TheChecksumIsXxHash) {
     std::mt19937 random(4);
     for (int i = 0; i < 1000; ++i) {
-        const uint32_t word = random();
-        EXPECT_EQ(gpu::xx_hash(word), XXH32(&word, sizeof word, 0));
+        std::array<uint32_t, 3> words;
+        for (uint32_t& word : words)
+            word = static_cast<uint32_t>(random());
+        const auto seed = static_cast<uint32_t>(random());
+        EXPECT_EQ(gpu::xx_hash({words[0], words[1], words[2]}, seed),
+                  XXH32(words.data(), sizeof words, seed));
     }
 }
 
@@ -173,6 +178,19 @@ TEST(KeyHashes, SpreadOverSlotsLikeRandomNumbers) {
     }
     // n^2 / 2^33 pairs of equal checksums are expected: 8.
     EXPECT_GT(distinct.size(), keys.size() - 30);
+}
+
+TEST(KeyHashes, EveryNormalHasAKindOfItsOwn) {
+    std::set<uint32_t> kinds;
+    const auto bins = static_cast<float>(kHashNormalBins.maximum());
+    for (int x = -20; x <= 20; ++x)
+        for (int y = -20; y <= 20; ++y)
+            for (int z = -20; z <= 20; ++z)
+                for (const int level : {0, gpu::kMaxCellLevel + 1}) {
+                    const glm::vec3 normal = glm::vec3(x, y, z) / 20.0f;
+                    kinds.insert(gpu::cell_kind(gpu::cell_key({}, normal, level, 1.0f, bins)));
+                }
+    EXPECT_EQ(kinds.size(), 2u * 41 * 41 * 41);
 }
 
 TEST(KeyHashes, EveryIntegerOfTheKeyCounts) {
@@ -209,12 +227,12 @@ TEST(Probing, LooksAtDifferentSlotsAndWraps) {
 
 TEST(PixelCells, ComeBackAsTheyWerePacked) {
     for (const uint32_t slot : {0u, 1u, 12345u, (1u << 24) - 1, gpu::kNoSlot}) {
-        EXPECT_EQ(gpu::unpacked_slot(gpu::packed_slot(slot) | gpu::kTraceBit | gpu::kSeesSurface |
-                                     gpu::kCellTakes | gpu::kLargerTakes),
+        EXPECT_EQ(gpu::unpacked_slot(gpu::packed_slot(slot) | gpu::kCellTakes | gpu::kLargerTakes),
                   slot);
         for (const float weight : {0.0f, 0.25f, 0.9999f, 1.0f}) {
             const uint32_t word = gpu::packed_larger(slot, weight);
             EXPECT_EQ(gpu::unpacked_slot(word), slot);
+            EXPECT_EQ(gpu::larger_weight(word), gpu::rounded_weight(weight));
             EXPECT_NEAR(gpu::larger_weight(word), weight, 0.5f / gpu::kFullWeight + 1e-6f);
         }
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "renderer/estimators/pixel_list.h"
 #include "renderer/passes/gbuffer.h"
 #include "renderer/tracers/tracer.h"
 
@@ -36,14 +37,15 @@ float ambient_occlusion_radius(const Settings& settings);
 /// equation 1), for one frame; with any tracer.
 class AmbientOcclusion {
 public:
-    /// `mask`: RG32UI of the picture's size, which says where to trace, see
-    /// shaders/estimators/trace_mask.h; elsewhere visibility stays as it is. Null: everywhere.
+    /// `list`: where to trace; elsewhere visibility stays as it is. Null: everywhere.
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
-             const Tracer& tracer, const Texture* mask = nullptr);
+             const Tracer& tracer, const PixelList* list = nullptr);
     const Texture& visibility() const { return visibility_; } ///< R16, 1: open
+    /// What visibility() is once it has this size; where it has another now, its values are lost.
+    const Texture& visibility_of_size(glm::ivec2 size);
     StructureBytes bytes() const { return {"visibility", visibility_.bytes()}; }
 
-    static ShaderVariant variant(const Settings& settings, const Tracer& tracer, bool masked);
+    static ShaderVariant variant(const Settings& settings, const Tracer& tracer, bool listed);
 
 private:
     ProgramSlot program_;

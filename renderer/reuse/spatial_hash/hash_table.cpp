@@ -3,23 +3,14 @@
 
 #include "shaders/reuse/spatial_hash/search.h"
 
-#include <algorithm>
-
 namespace romascope {
-namespace {
-
-/// Enough to fill a GPU; more slots are taken in turn.
-constexpr uint32_t kMostInvocations = 1u << 18;
-
-} // namespace
 
 HashTable::HashTable(uint32_t capacity)
     : capacity_(capacity), checksums_("hash checksums", capacity * sizeof(uint32_t)),
-      hits_("hash hits", capacity * sizeof(uint32_t)),
-      samples_("hash samples", capacity * sizeof(uint32_t)) {}
+      sums_("hash sums", capacity * sizeof(glm::uvec2)) {}
 
 void HashTable::clear() {
-    for (const Buffer* buffer : {&checksums_, &hits_, &samples_})
+    for (const Buffer* buffer : {&checksums_, &sums_})
         if (buffer->bytes() > 0)
             glClearNamedBufferData(buffer->id(), GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT,
                                    nullptr);
@@ -27,8 +18,7 @@ void HashTable::clear() {
 
 void HashTable::bind(const Program& program, int search_count) const {
     checksums_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    hits_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    samples_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    sums_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     program.set("slot_mask", capacity_ - 1);
     program.set("search_count", search_count);
 }
@@ -37,18 +27,17 @@ void HashTable::settle(const Program& program, uint32_t frame, uint32_t max_age)
     bind(program, 1);
     program.set("frame", frame);
     program.set("max_age", max_age);
-    program.dispatch_covering({std::min(capacity_, kMostInvocations), 1, 1});
+    program.dispatch_covering({capacity_ / gpu::kSettledEach, 1, 1});
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
 }
 
 std::vector<gpu::Cell> HashTable::download() const {
     const std::vector<uint32_t> checksums = checksums_.download<uint32_t>();
-    const std::vector<uint32_t> hits = hits_.download<uint32_t>();
-    const std::vector<uint32_t> samples = samples_.download<uint32_t>();
+    const std::vector<glm::uvec2> sums = sums_.download<glm::uvec2>();
     std::vector<gpu::Cell> cells;
     cells.reserve(capacity_);
     for (size_t i = 0; i < capacity_; ++i)
-        cells.push_back({checksums[i], hits[i], samples[i]});
+        cells.push_back({checksums[i], sums[i].x, sums[i].y});
     return cells;
 }
 

@@ -10,7 +10,7 @@
 
 namespace romascope {
 
-/// The table of the spatial hash on the GPU: slots of 12 bytes, in three buffers. The host's side
+/// The table of the spatial hash on the GPU: slots of 12 bytes, in two buffers. The host's side
 /// of shaders/reuse/spatial_hash/table.glsl.
 class HashTable {
 public:
@@ -23,7 +23,7 @@ public:
     uint32_t capacity() const { return capacity_; }
     /// Frees all slots.
     void clear();
-    /// Binds storage blocks 0 to 2 and sets the uniforms of `program`, which is in use.
+    /// Binds storage blocks 0 and 1 and sets the uniforms of `program`, which is in use.
     void bind(const Program& program, int search_count) const;
     /// Ends a frame: a dispatch of `program`, a variant of settle_variant() that is in use.
     /// `max_age`: frames without use before a slot is freed; gpu::kMaxAge: never. Counts what the
@@ -31,7 +31,7 @@ public:
     void settle(const Program& program, uint32_t frame, uint32_t max_age) const;
     /// All slots. Waits for the GPU.
     std::vector<gpu::Cell> download() const;
-    size_t bytes() const { return checksums_.bytes() + hits_.bytes() + samples_.bytes(); }
+    size_t bytes() const { return checksums_.bytes() + sums_.bytes(); }
 
     /// What table.glsl needs.
     static std::vector<ShaderDefine> defines(HashProbing probing);
@@ -39,7 +39,8 @@ public:
 
 private:
     uint32_t capacity_ = 0;
-    Buffer checksums_, hits_, samples_;
+    Buffer checksums_;
+    Buffer sums_; ///< hits and samples
 };
 
 } // namespace romascope

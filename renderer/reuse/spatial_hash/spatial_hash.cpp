@@ -78,7 +78,8 @@ ShaderVariant view_variant(const Settings& settings) {
 
 void wait_for_stores() {
     glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
-                    GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+                    GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT |
+                    GL_COMMAND_BARRIER_BIT);
 }
 
 /// One pixel in so many may add its rays, so that a cell's sums cannot overflow even if all fall in
@@ -108,6 +109,7 @@ void SpatialHash::prepare(const FrameContext& frame, const View& view) {
     const glm::ivec3 extent(view.size, 1);
     if (cells_.size() != extent)
         cells_ = Texture("hash cells of pixels", GL_TEXTURE_2D, GL_RG32UI, extent);
+    list_.begin(view.size);
     constexpr std::array<uint32_t, gpu::kHashCounts> kZero = {};
     if (counts_.bytes() == 0)
         counts_ = Buffer::from("hash counts", std::span<const uint32_t>(kZero));
@@ -123,10 +125,11 @@ void SpatialHash::run(const FrameContext& frame, const View& view, const GBuffer
     prepare(frame, view);
     if (shown && before) // what is seen is used, and then its age is 0
         draw(frame, view, gbuffer);
-    claim(frame, view, gbuffer);
-    ambient_occlusion.run(frame, view, gbuffer, tracer, &cells_);
-    add(frame, ambient_occlusion.visibility());
-    resolve(frame, ambient_occlusion.visibility());
+    const Texture& visibility = ambient_occlusion.visibility_of_size(view.size);
+    claim(frame, view, gbuffer, visibility);
+    ambient_occlusion.run(frame, view, gbuffer, tracer, &list_);
+    add(frame, visibility);
+    resolve(frame, visibility);
     settle(frame);
     if (shown && !before)
         draw(frame, view, gbuffer);
@@ -134,30 +137,34 @@ void SpatialHash::run(const FrameContext& frame, const View& view, const GBuffer
         picture_ = {};
 }
 
-void SpatialHash::set_key_uniforms(const Program& program, const Settings& settings,
+void SpatialHash::set_key_uniforms(const Program& program, const FrameContext& frame,
                                    const View& view) const {
+    const Settings& settings = frame.settings;
     view.set_uniforms(program);
     program.set("size_ratio", size_ratio(settings, view));
     program.set("inverse_smallest", 1.0f / smallest_size(settings));
     program.set("normal_bins", static_cast<float>(settings.get(kHashNormalBins)));
-    table_.bind(program, settings.get(kHashSearch));
-}
-
-void SpatialHash::claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer) {
-    const Settings& settings = frame.settings;
-    const Program& program = claim_program_.get(frame.shaders, claim_variant(settings));
-    auto pass = frame.timer.compute("hash claim");
-    program.use();
-    set_key_uniforms(program, settings, view);
     program.set("frame", frame.frame);
     program.set("jitter_key", gpu::pcg_hash(gpu::pcg_hash(frame.seed) + kJitterStream));
     program.set("jitter_scale", static_cast<float>(settings.get(kHashJitter)));
     program.set("blend_sizes",
                 settings.get(kHashBlend) && settings.get(kHashFixedSize) == 0.0 ? 1 : 0);
+    table_.bind(program, settings.get(kHashSearch));
+}
+
+void SpatialHash::claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
+                        const Texture& visibility) {
+    const Settings& settings = frame.settings;
+    const Program& program = claim_program_.get(frame.shaders, claim_variant(settings));
+    auto pass = frame.timer.compute("hash claim");
+    program.use();
+    set_key_uniforms(program, frame, view);
     program.set("sample_cap", sample_cap(settings));
     program.set("adding_stride", adding_stride(settings, view.size));
     gbuffer.bind_surface();
-    cells_.bind_image(0, GL_WRITE_ONLY);
+    visibility.bind_image(0, GL_WRITE_ONLY);
+    cells_.bind_image(1, GL_WRITE_ONLY);
+    list_.bind_to_fill();
     counts_.bind(GL_SHADER_STORAGE_BUFFER, 3);
     program.dispatch_covering(cells_.size());
     wait_for_stores();
@@ -168,10 +175,9 @@ void SpatialHash::add(const FrameContext& frame, const Texture& visibility) {
     auto pass = frame.timer.compute("hash add");
     program.use();
     table_.bind(program, 1);
-    program.set("picture_size", glm::ivec2(cells_.size()));
     cells_.bind(0);
     visibility.bind(1);
-    program.dispatch_covering(cells_.size());
+    list_.dispatch();
     wait_for_stores();
 }
 
@@ -180,10 +186,9 @@ void SpatialHash::resolve(const FrameContext& frame, const Texture& visibility) 
     auto pass = frame.timer.compute("hash resolve");
     program.use();
     table_.bind(program, 1);
-    program.set("picture_size", glm::ivec2(cells_.size()));
     cells_.bind(0);
     visibility.bind_image(0, GL_WRITE_ONLY);
-    program.dispatch_covering(cells_.size());
+    list_.dispatch();
     wait_for_stores();
 }
 
@@ -206,12 +211,10 @@ void SpatialHash::draw(const FrameContext& frame, const View& view, const GBuffe
     const Program& program = view_program_.get(frame.shaders, view_variant(settings));
     auto pass = frame.timer.compute("hash view");
     program.use();
-    set_key_uniforms(program, settings, view);
-    program.set("frame", frame.frame);
+    set_key_uniforms(program, frame, view);
     program.set("sample_cap", static_cast<GLuint>(settings.get(kHashSampleCap)));
     program.set("max_age", static_cast<GLuint>(settings.get(kHashEvictionAge)));
     gbuffer.bind_surface();
-    cells_.bind(2);
     picture_.bind_image(0, GL_WRITE_ONLY);
     program.dispatch_covering(picture_.size());
     wait_for_stores();
@@ -219,6 +222,7 @@ void SpatialHash::draw(const FrameContext& frame, const View& view, const GBuffe
 
 void SpatialHash::release() {
     table_ = {};
+    list_ = {};
     cells_ = {};
     counts_ = {};
     picture_ = {};
@@ -232,14 +236,16 @@ bool SpatialHash::is_used(const Settings& settings) {
 std::vector<StructureBytes> SpatialHash::bytes() const {
     if (table_.capacity() == 0)
         return {};
-    return {{"hash table", table_.bytes()},
-            {"hash of pixels", cells_.bytes() + counts_.bytes() + picture_.bytes()}};
+    return {
+        {"hash table", table_.bytes()},
+        {"hash of pixels", list_.bytes() + cells_.bytes() + counts_.bytes() + picture_.bytes()}};
 }
 
 size_t SpatialHash::bytes_needed(const Settings& settings, size_t pixels) {
     if (!is_used(settings))
         return 0;
-    return capacity_of(settings) * sizeof(gpu::Cell) + pixels * 2 * sizeof(uint32_t);
+    return capacity_of(settings) * sizeof(gpu::Cell) +
+           pixels * (PixelList::kBytesPerPixel + 2 * sizeof(uint32_t));
 }
 
 std::vector<ShaderVariant> SpatialHash::variants(const Settings& settings) {
@@ -253,15 +259,18 @@ std::vector<NamedCount> SpatialHash::counts() const {
     const std::vector<uint32_t> words = counts_.download<uint32_t>();
     const auto at = [&](int place) { return uint64_t{words[static_cast<size_t>(place)]}; };
     const auto rays = static_cast<uint64_t>(rays_);
+    const uint64_t pixels = uint64_t{1} * static_cast<uint32_t>(cells_.size().x) *
+                            static_cast<uint32_t>(cells_.size().y);
+    const uint64_t surfaces = pixels - at(gpu::kCountBackground);
     std::vector<NamedCount> counts = {
         {"hash rays traced", at(gpu::kCountTraced) * rays},
-        {"hash rays saved", (at(gpu::kCountSurfaces) - at(gpu::kCountTraced)) * rays},
+        {"hash rays saved", (surfaces - at(gpu::kCountTraced)) * rays},
         {"hash cells", at(gpu::kCountCells)},
         {"hash slots", table_.capacity()},
         {"hash insertions", at(gpu::kCountInsertions)},
         {"hash evictions", at(gpu::kCountEvictions)},
         {"hash failed pixels", at(gpu::kCountFailed)},
-        {"hash longest probe", at(gpu::kCountProbes)}};
+        {"hash longest probe", std::max(at(gpu::kCountProbes), std::min(surfaces, uint64_t{1}))}};
     for (int bin = 0; bin < gpu::kHistogramBins; ++bin)
         counts.push_back(
             {fmt::format("hash samples {} {}", bin + 1 < gpu::kHistogramBins ? "<" : ">=",

@@ -10,8 +10,9 @@ namespace romascope {
 
 /// Ambient occlusion kept in world space, in cells that are found by a hash of position, normal and
 /// size (Anagnostou, Spatial hashing for raytraced ambient occlusion). A frame claims a cell for
-/// each pixel, traces where cells have not enough samples, adds what was found, reads every pixel
-/// from its cells, and frees those that were not used for long. Each of these is a pass of its own,
+/// each pixel and shows what it has; where that is not enough yet it lists the pixel, traces, adds
+/// what was found, and reads the listed pixels from their cells; then it frees those that were not
+/// used for long. Each of these is a pass of its own,
 /// so that nothing depends on the order in which a GPU runs pixels, as long as the table has room.
 class SpatialHash {
 public:
@@ -41,8 +42,10 @@ public:
 
 private:
     void prepare(const FrameContext& frame, const View& view);
-    void set_key_uniforms(const Program& program, const Settings& settings, const View& view) const;
-    void claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer);
+    void set_key_uniforms(const Program& program, const FrameContext& frame,
+                          const View& view) const;
+    void claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
+               const Texture& visibility);
     void add(const FrameContext& frame, const Texture& visibility);
     void resolve(const FrameContext& frame, const Texture& visibility);
     void settle(const FrameContext& frame);
@@ -50,8 +53,9 @@ private:
 
     ProgramSlot claim_program_, add_program_, resolve_program_, settle_program_, view_program_;
     HashTable table_;
-    Texture cells_; ///< RG32UI, see shaders/reuse/spatial_hash/pixel_cells.h
-    Buffer counts_; ///< gpu::kHashCounts words
+    PixelList list_; ///< pixels that trace
+    Texture cells_;  ///< RG32UI, of these, see shaders/reuse/spatial_hash/pixel_cells.h
+    Buffer counts_;  ///< gpu::kHashCounts words
     Texture picture_;
     bool stale_ = false;
     int rays_ = 0;                    ///< per traced pixel, in the last frame

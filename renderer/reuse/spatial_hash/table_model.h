@@ -32,7 +32,7 @@ public:
     gpu::Search step(const gpu::Search& search, const HashedKey& key);
     gpu::Search step(const gpu::Search& search, const HashedKey& key, uint32_t load) const;
 
-    // Two accesses of use_cell(), two of add_to_cell().
+    // What use_cell() stores, word by word, and the two accesses of add_to_cell().
     void flag(uint32_t slot) { cells_[slot].samples |= gpu::kInUse; }
     void take_time(uint32_t slot) { cells_[slot].hits &= gpu::kHitsMask; }
     void add_hits(uint32_t slot, uint32_t hits) { cells_[slot].hits += hits; }

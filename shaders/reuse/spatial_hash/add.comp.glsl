@@ -1,24 +1,21 @@
 // SPDX-License-Identifier: MIT
 // Adds the rays of each pixel that traced some to the cells that take them.
 //
-// In:   pixel_cells; visibility: the share of the pixel's rays that met nothing
+// In:   the list of pixels; pixel_cells; visibility: the share of the pixel's rays that met nothing
 // Out:  the table
-// Host: see table.glsl; AO_RAYS; picture_size
+// Host: see table.glsl and listed_pixels.glsl; AO_RAYS
+#include "shaders/estimators/listed_pixels.glsl"
 #include "shaders/reuse/spatial_hash/pixel_cells.h"
 #include "shaders/reuse/spatial_hash/table.glsl"
 
-layout(local_size_x = 16, local_size_y = 8) in;
 layout(binding = 0) uniform usampler2D pixel_cells;
 layout(binding = 1) uniform sampler2D visibility;
-uniform ivec2 picture_size;
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, picture_size)))
+    ivec2 pixel;
+    if (!next_listed(pixel))
         return;
     uvec2 words = texelFetch(pixel_cells, pixel, 0).xy;
-    if ((words.x & (kCellTakes | kLargerTakes)) == 0u)
-        return;
     float free = texelFetch(visibility, pixel, 0).x * float(AO_RAYS);
     uint hits = uint(AO_RAYS) - uint(free + 0.5);
     if ((words.x & kCellTakes) != 0u)

@@ -70,35 +70,39 @@ SHARED_FN CellKey cell_key(vec3 position, vec3 normal, int level, float inverse_
     return key;
 }
 
-/// XXH32 (Collet, xxHash) of one word's four bytes, the lowest first, with seed 0.
-SHARED_FN uint xx_hash(uint x) {
-    uint h = 3266489917u * x + 374761397u;
+/// Normal and level in one word, a byte each: bins lie between -100 and 100.
+SHARED_FN uint cell_kind(CellKey key) {
+    return (uint(key.normal.x) & 255u) | ((uint(key.normal.y) & 255u) << 8) |
+           ((uint(key.normal.z) & 255u) << 16) | (uint(key.level) << 24);
+}
+
+/// XXH32 (Collet, xxHash) of three words' twelve bytes, the lowest of each first.
+SHARED_FN uint xx_hash(uvec3 words, uint seed) {
+    uint h = seed + 374761393u + 12u;
+    h = h + 3266489917u * words.x;
+    h = 668265263u * ((h << 17) | (h >> 15));
+    h = h + 3266489917u * words.y;
+    h = 668265263u * ((h << 17) | (h >> 15));
+    h = h + 3266489917u * words.z;
     h = 668265263u * ((h << 17) | (h >> 15));
     h = 2246822519u * (h ^ (h >> 15));
     h = 3266489917u * (h ^ (h >> 13));
     return h ^ (h >> 16);
 }
 
-/// Where to look for the cell: PCG, nested over the key's seven integers.
+/// Where to look for the cell: PCG, nested over the key's words.
 SHARED_FN uint home_hash(CellKey key) {
-    uint h = pcg_hash(uint(key.normal.z));
-    h = pcg_hash(uint(key.normal.y) + h);
-    h = pcg_hash(uint(key.normal.x) + h);
+    uint h = pcg_hash(cell_kind(key));
     h = pcg_hash(uint(key.cell.z) + h);
     h = pcg_hash(uint(key.cell.y) + h);
-    h = pcg_hash(uint(key.cell.x) + h);
-    return pcg_hash(uint(key.level) + h);
+    return pcg_hash(uint(key.cell.x) + h);
 }
 
-/// What tells the cell from others: xxHash32, nested likewise; 0 is kept for free slots.
+/// What tells the cell from others: xxHash32 of its coordinates, with normal and level as seed; 0
+/// is kept for free slots.
 SHARED_FN uint key_checksum(CellKey key) {
-    uint h = xx_hash(uint(key.normal.z));
-    h = xx_hash(uint(key.normal.y) + h);
-    h = xx_hash(uint(key.normal.x) + h);
-    h = xx_hash(uint(key.cell.z) + h);
-    h = xx_hash(uint(key.cell.y) + h);
-    h = xx_hash(uint(key.cell.x) + h);
-    return max(xx_hash(uint(key.level) + h), 1u);
+    uvec3 words = uvec3(uint(key.cell.x), uint(key.cell.y), uint(key.cell.z));
+    return max(xx_hash(words, cell_kind(key)), 1u);
 }
 
 #ifdef __cplusplus

@@ -38,6 +38,12 @@ SHARED_FN uint cell_age(Cell cell, uint frame) {
     return (cell.samples & kInUse) != 0u ? 0u : (frame - (cell.hits >> 16)) & 0xFFFFu;
 }
 
+/// The words of hits and samples of a cell before and at use, as in use.
+SHARED_FN uvec2 used_sums(uvec2 sums) {
+    bool in_use = (sums.y & kInUse) != 0u;
+    return uvec2(in_use ? sums.x : sums.x & kHitsMask, sums.y | kInUse);
+}
+
 /// A cell after a frame. Sums beyond 16 bits are halved until they fit, both alike. Without use for
 /// more than `max_age` frames it is free, all 0; `max_age` of at least kMaxAge: never.
 SHARED_FN Cell settled_cell(Cell cell, uint frame, uint max_age) {
@@ -79,11 +85,11 @@ SHARED_FN float blended_hits(vec2 cell, vec2 larger, float weight) {
 }
 
 // What is counted in a frame, as places in a buffer of words.
-const int kCountSurfaces = 0;   ///< pixels that see one
+const int kCountBackground = 0; ///< pixels that see no surface
 const int kCountTraced = 1;     ///< pixels that traced rays
 const int kCountFailed = 2;     ///< pixels without any cell
 const int kCountInsertions = 3; ///< cells that became taken
-const int kCountProbes = 4;     ///< the most slots that one search looked at
+const int kCountProbes = 4;     ///< the most slots that one search looked at, if more than one
 const int kPixelCounts = 5;
 const int kCountCells = 5; ///< taken after the frame
 const int kCountEvictions = 6;
@@ -91,6 +97,8 @@ const int kCountSamples = 7; ///< cells by samples: below 4, 16, 64, 256, 1024, 
 const int kCountAges = 13;   ///< cells by frames since last use: 0, below 2, 4, 8, 16, and more
 const int kHistogramBins = 6;
 const int kHashCounts = 19;
+/// Slots that one invocation settles.
+const uint kSettledEach = 8u;
 
 SHARED_FN int samples_bin(uint samples) {
     return min(findMSB(samples | 1u) / 2, kHistogramBins - 1);

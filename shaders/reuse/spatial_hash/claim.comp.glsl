@@ -1,76 +1,74 @@
 // SPDX-License-Identifier: MIT
 // Finds the cell of each pixel, and the next larger one where sizes blend, or takes a free slot for
-// it; decides whether the pixel's rays are needed.
-//
-// The lookup is moved at random in the tangent plane, anew each frame: a pixel then averages over
-// neighbouring cells. Its rays are not moved.
+// it. Where the cells have enough, the pixel shows what they have; the others are listed, to trace.
 //
 // In:   the G-buffer, the table
-// Out:  pixel_cells, RG32UI (pixel_cells.h); the table; hash_counts
-// Host: see pixel_key.glsl and table.glsl; frame; jitter_key: a hashed seed; jitter_scale, cells;
-//       blend_sizes 0 or 1; sample_cap: cells with so many take no more; adding_stride: one pixel in
-//       so many may add, each in its turn, so that no sum overflows
-#include "shaders/common/random.h"
-#include "shaders/common/tangent_frame.glsl"
-#include "shaders/reuse/spatial_hash/pixel_cells.h"
+// Out:  visibility, R16, of all pixels but those that are listed; background is 1
+//       the list of pixels (list_pixels.glsl), and their pixel_cells, RG32UI (pixel_cells.h)
+//       the table; hash_counts
+// Host: see pixel_key.glsl, table.glsl, list_pixels.glsl; sample_cap: cells with so many take no
+//       more; adding_stride: one pixel in so many may add, each in its turn, so that no sum overflows
+#include "shaders/estimators/list_pixels.glsl"
 #include "shaders/reuse/spatial_hash/pixel_key.glsl"
 #include "shaders/reuse/spatial_hash/table.glsl"
 
 layout(local_size_x = 16, local_size_y = 8) in;
-layout(rg32ui, binding = 0) writeonly uniform uimage2D pixel_cells;
+layout(r16, binding = 0) writeonly uniform image2D visibility;
+layout(rg32ui, binding = 1) writeonly uniform uimage2D pixel_cells;
 layout(std430, binding = 3) buffer HashCounts { uint hash_counts[]; };
-uniform uint frame;
-uniform uint jitter_key;
-uniform float jitter_scale;
-uniform int blend_sizes;
 uniform uint sample_cap;
 uniform uint adding_stride;
 
+// Of the work group. What many pixels have in common is not counted, as each atomic waits for the
+// others at its place.
 shared uint group_counts[kPixelCounts];
+shared uint group_first; ///< place of its first pixel in the list
 
-/// Slot of a level, in use from now on; kNoSlot if the table has no room.
-uint claimed_slot(Surface surface, vec3 shift, int level) {
+struct UsedCell {
+    uint slot; ///< kNoSlot if the table has no room
+    uvec2 sums;
+};
+
+UsedCell used_cell(Surface surface, vec3 shift, int level) {
     CellKey key = key_at(surface, shift, level);
     FoundSlot found = find_or_claim(home_hash(key), key_checksum(key));
-    if (found.slot != kNoSlot)
-        use_cell(found.slot);
     if (found.claimed)
         atomicAdd(group_counts[kCountInsertions], 1u);
-    atomicMax(group_counts[kCountProbes], uint(found.probes));
-    return found.slot;
+    if (found.probes > 1 && uint(found.probes) > group_counts[kCountProbes])
+        atomicMax(group_counts[kCountProbes], uint(found.probes));
+    return UsedCell(found.slot, found.slot == kNoSlot ? uvec2(0u) : use_cell(found.slot));
 }
 
-uvec2 cells_of(ivec2 pixel) {
+/// True if the pixel traces; `words` are its cells then. Else its visibility is known.
+bool traces(ivec2 pixel, out uvec2 words) {
+    words = uvec2(0u);
     Surface surface = surface_at(pixel);
-    if (surface.background)
-        return uvec2(0u);
-    uint first = pixel_hash(uvec2(pixel), jitter_key);
-    uvec2 u = r2_sequence(frame, uvec2(first, pcg_hash(first)));
-    vec2 jitter = jitter_scale * (2.0 * vec2(unit_float(u.x), unit_float(u.y)) - 1.0);
-    vec3 shift = tangent_frame(surface.normal) * jitter;
-
+    if (surface.background) {
+        atomicAdd(group_counts[kCountBackground], 1u);
+        imageStore(visibility, pixel, vec4(1.0));
+        return false;
+    }
+    vec3 shift = lookup_shift(pixel, surface);
     float ratio = wanted_ratio(surface);
     int level = cell_level(ratio);
-    uint slot = claimed_slot(surface, shift, level);
-    uint larger_slot = kNoSlot;
-    float weight = blend_sizes != 0 ? next_level_weight(ratio) : 0.0;
-    if (packed_larger(kNoSlot, weight) != 0u)
-        larger_slot = claimed_slot(surface, shift, level + 1);
-
-    uint samples = slot == kNoSlot ? 0u : hash_samples[slot] & kSamplesMask;
-    uint larger_samples = larger_slot == kNoSlot ? 0u : hash_samples[larger_slot] & kSamplesMask;
-    bool may_add = (uint(pixel.y * picture_size.x + pixel.x) + frame) % adding_stride == 0u;
-    bool takes = may_add && slot != kNoSlot && samples < sample_cap;
-    bool larger_takes = may_add && larger_slot != kNoSlot && larger_samples < sample_cap;
-    bool traces = takes || larger_takes || samples + larger_samples == 0u;
-
-    atomicAdd(group_counts[kCountSurfaces], 1u);
-    if (traces)
-        atomicAdd(group_counts[kCountTraced], 1u);
-    if (slot == kNoSlot && larger_slot == kNoSlot)
+    float weight = larger_share(ratio);
+    UsedCell cell = used_cell(surface, shift, level);
+    UsedCell larger = UsedCell(kNoSlot, uvec2(0u));
+    if (weight > 0.0)
+        larger = used_cell(surface, shift, level + 1);
+    if (cell.slot == kNoSlot && larger.slot == kNoSlot)
         atomicAdd(group_counts[kCountFailed], 1u);
-    uint flags = kSeesSurface | (traces ? kTraceBit : 0u) | (takes ? kCellTakes : 0u) | (larger_takes ? kLargerTakes : 0u);
-    return uvec2(packed_slot(slot) | flags, packed_larger(larger_slot, weight));
+
+    bool wants = cell.slot != kNoSlot && cell.sums.y < sample_cap;
+    bool larger_wants = larger.slot != kNoSlot && larger.sums.y < sample_cap;
+    if (!wants && !larger_wants && cell.sums.y + larger.sums.y > 0u) {
+        imageStore(visibility, pixel, vec4(1.0 - blended_hits(vec2(cell.sums), vec2(larger.sums), weight)));
+        return false;
+    }
+    bool may_add = (uint(pixel.y * picture_size.x + pixel.x) + frame) % adding_stride == 0u;
+    uint flags = (wants && may_add ? kCellTakes : 0u) | (larger_wants && may_add ? kLargerTakes : 0u);
+    words = uvec2(packed_slot(cell.slot) | flags, packed_larger(larger.slot, weight));
+    return true;
 }
 
 void main() {
@@ -79,13 +77,25 @@ void main() {
         group_counts[index] = 0u;
     barrier();
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    bool listed = false;
+    uvec2 words = uvec2(0u);
+    uint place = 0u;
     if (all(lessThan(pixel, picture_size)))
-        imageStore(pixel_cells, pixel, uvec4(cells_of(pixel), 0u, 0u));
+        listed = traces(pixel, words);
+    if (listed)
+        place = atomicAdd(group_counts[kCountTraced], 1u);
     barrier();
     if (index < kPixelCounts && group_counts[index] != 0u) {
+        if (index == kCountTraced)
+            group_first = extend_list(group_counts[index]);
         if (index == kCountProbes)
             atomicMax(hash_counts[index], group_counts[index]);
         else
             atomicAdd(hash_counts[index], group_counts[index]);
+    }
+    barrier();
+    if (listed) {
+        list_pixel(group_first + place, pixel);
+        imageStore(pixel_cells, pixel, uvec4(words, 0u, 0u));
     }
 }

@@ -1,22 +1,24 @@
 // SPDX-License-Identifier: MIT
-// The cells of a pixel, in two words: the one of its size with flags, and the next larger one with
-// its weight.
+// The cells of a pixel that traces, in two words: the one of its size with flags, and the next
+// larger one with its weight.
 #pragma once
 #include "shaders/common/cross.h"
-#include "shaders/estimators/trace_mask.h"
 #include "shaders/reuse/spatial_hash/search.h"
 #ifdef __cplusplus
 namespace romascope::gpu {
 #endif
 
-// Flags of the first word, besides kTraceBit.
-const uint kCellTakes = 1u << 30;   ///< the pixel's rays are added to its cell
-const uint kLargerTakes = 1u << 29; ///< and to the larger one
-const uint kSeesSurface = 1u << 28;
-const uint kSlotBits = 0x1FFFFFFu; ///< of either word: slot + 1, or 0 for none
+// Flags of the first word.
+const uint kCellTakes = 1u << 31;   ///< the pixel's rays are added to its cell
+const uint kLargerTakes = 1u << 30; ///< and to the larger one
+const uint kSlotBits = 0x1FFFFFFu;  ///< of either word: slot + 1, or 0 for none
 const uint kWeightShift = 25u;
 const float kFullWeight = 127.0f;
 
+/// A weight as it is packed.
+SHARED_FN float rounded_weight(float weight) {
+    return float(int(weight * kFullWeight + 0.5f)) * (1.0f / kFullWeight);
+}
 SHARED_FN uint packed_slot(uint slot) { return slot == kNoSlot ? 0u : slot + 1u; }
 SHARED_FN uint packed_larger(uint slot, float weight) {
     return packed_slot(slot) | (uint(weight * kFullWeight + 0.5f) << kWeightShift);

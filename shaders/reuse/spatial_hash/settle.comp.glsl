@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Ends a frame in the table: sums of cells that were used become what is kept, cells that were not
-// used for long are freed. Each slot is one invocation's.
+// used for long are freed. Each slot is one invocation's, which has kSettledEach of them.
 //
 // Out:  the table; hash_counts
 // Host: see table.glsl; frame; max_age: frames without use before a cell is freed
@@ -11,33 +11,68 @@ layout(std430, binding = 3) buffer HashCounts { uint hash_counts[]; };
 uniform uint frame;
 uniform uint max_age;
 
-shared uint group_counts[kHashCounts];
+// Most cells fall in the same bins. An invocation counts in its own words first, kBinBits for a bin,
+// and neighbours then add at different places.
+const uint kBinBits = 5u;
+const uint kCopies = 16u;
+shared uint group_counts[kCopies * uint(kHashCounts)];
 
-void settle(uint slot) {
+struct Bins {
+    uint samples;
+    uint ages;
+    uint evictions;
+};
+
+Bins settle(uint slot, Bins bins) {
     if (hash_checksums[slot] == 0u)
-        return;
+        return bins;
     Cell before = load_cell(slot);
     Cell cell = settled_cell(before, frame, max_age);
-    if (cell != before)
-        store_cell(slot, cell);
+    if (cell.hits != before.hits || cell.samples != before.samples)
+        hash_sums[slot] = uvec2(cell.hits, cell.samples);
     if (cell.checksum == 0u) {
-        atomicAdd(group_counts[kCountEvictions], 1u);
-        return;
+        hash_checksums[slot] = 0u;
+        ++bins.evictions;
+        return bins;
     }
-    atomicAdd(group_counts[kCountCells], 1u);
-    atomicAdd(group_counts[kCountSamples + samples_bin(cell_samples(cell))], 1u);
-    atomicAdd(group_counts[kCountAges + age_bin(cell_age(cell, frame))], 1u);
+    bins.samples += 1u << (kBinBits * uint(samples_bin(cell_samples(cell))));
+    bins.ages += 1u << (kBinBits * uint(age_bin(cell_age(cell, frame))));
+    return bins;
+}
+
+void count(int place, uint number) {
+    if (number > 0u)
+        atomicAdd(group_counts[(gl_LocalInvocationIndex % kCopies) * uint(kHashCounts) + uint(place)], number);
 }
 
 void main() {
     uint index = gl_LocalInvocationIndex;
-    if (index < uint(kHashCounts))
-        group_counts[index] = 0u;
+    for (uint i = index; i < kCopies * uint(kHashCounts); i += gl_WorkGroupSize.x)
+        group_counts[i] = 0u;
     barrier();
-    uint invocations = gl_NumWorkGroups.x * gl_WorkGroupSize.x;
-    for (uint slot = gl_GlobalInvocationID.x; slot <= slot_mask; slot += invocations)
-        settle(slot);
+    uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x * kSettledEach + index;
+    Bins bins = Bins(0u, 0u, 0u);
+    for (uint i = 0u; i < kSettledEach; ++i) {
+        uint slot = first + i * gl_WorkGroupSize.x;
+        if (slot <= slot_mask)
+            bins = settle(slot, bins);
+    }
+    count(kCountEvictions, bins.evictions);
+    if (bins.samples != 0u) {
+        for (int bin = 0; bin < kHistogramBins; ++bin) {
+            uint mask = (1u << kBinBits) - 1u;
+            uint samples = (bins.samples >> (kBinBits * uint(bin))) & mask;
+            count(kCountCells, samples);
+            count(kCountSamples + bin, samples);
+            count(kCountAges + bin, (bins.ages >> (kBinBits * uint(bin))) & mask);
+        }
+    }
     barrier();
-    if (index < uint(kHashCounts) && group_counts[index] != 0u)
-        atomicAdd(hash_counts[index], group_counts[index]);
+    if (index < uint(kHashCounts)) {
+        uint sum = 0u;
+        for (uint copy = 0u; copy < kCopies; ++copy)
+            sum += group_counts[copy * uint(kHashCounts) + index];
+        if (sum != 0u)
+            atomicAdd(hash_counts[index], sum);
+    }
 }

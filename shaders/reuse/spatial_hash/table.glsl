@@ -1,23 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The table of the spatial hash on the GPU.
 //
-// Host: storage blocks 0 checksums, 1 hits, 2 samples, one word a slot each (cell_state.h);
+// Host: storage blocks 0 checksums, a word a slot, 1 sums, two words a slot: hits, samples
+//       (cell_state.h). Checksums lie by themselves, as a search looks at many; sums are read at once.
 //       HASH_PROBING and HASH_PROBING_*; slot_mask: slots - 1; search_count
 #include "shaders/reuse/spatial_hash/cell_state.h"
 #include "shaders/reuse/spatial_hash/search.h"
 
 layout(std430, binding = 0) buffer HashChecksums { uint hash_checksums[]; };
-layout(std430, binding = 1) buffer HashHits { uint hash_hits[]; };
-layout(std430, binding = 2) buffer HashSamples { uint hash_samples[]; };
+layout(std430, binding = 1) buffer HashSums { uvec2 hash_sums[]; };
 uniform uint slot_mask;
 uniform int search_count;
 
-Cell load_cell(uint slot) { return Cell(hash_checksums[slot], hash_hits[slot], hash_samples[slot]); }
-
-void store_cell(uint slot, Cell cell) {
-    hash_checksums[slot] = cell.checksum;
-    hash_hits[slot] = cell.hits;
-    hash_samples[slot] = cell.samples;
+Cell load_cell(uint slot) {
+    uvec2 sums = hash_sums[slot];
+    return Cell(hash_checksums[slot], sums.x, sums.y);
 }
 
 struct FoundSlot {
@@ -53,18 +50,19 @@ uint find_slot(uint hash, uint checksum) {
     return kNoSlot;
 }
 
-/// Marks the cell as used in this frame. Any number may do it at once: both changes are the same
-/// again.
-void use_cell(uint slot) {
-    if ((hash_samples[slot] & kInUse) == 0u) {
-        atomicOr(hash_samples[slot], kInUse);
-        atomicAnd(hash_hits[slot], kHitsMask);
-    }
+/// Marks the cell as used in this frame; its sums before, hits and samples. Any number may do it at
+/// once: in the pass that claims nothing else changes these words, so that all store the same.
+uvec2 use_cell(uint slot) {
+    uvec2 sums = hash_sums[slot];
+    uvec2 used = used_sums(sums);
+    if (used != sums)
+        hash_sums[slot] = used;
+    return uvec2(used.x, used.y & kSamplesMask);
 }
 
 /// Adds to a cell that is in use.
 void add_to_cell(uint slot, uint hits, uint samples) {
     if (hits > 0u)
-        atomicAdd(hash_hits[slot], hits);
-    atomicAdd(hash_samples[slot], samples);
+        atomicAdd(hash_sums[slot].x, hits);
+    atomicAdd(hash_sums[slot].y, samples);
 }
