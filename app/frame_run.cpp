@@ -5,6 +5,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/memory.h"
 #include "renderer/metrics/compare.h"
+#include "renderer/reuse/changes/change_volume.h"
 #include "renderer/scene/camera_path.h"
 #include "renderer/scene/pose.h"
 #include "renderer/scene/scene_bytes.h"
@@ -39,6 +40,8 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
     size_t triangles = scene_bytes(scene); // once more, as GL's
     if (moves && ScreenReuse::looks_back(settings))
         triangles += scene.positions.size() * sizeof(glm::vec3); // where they were before
+    if (moves && SpatialHash::is_used(settings))
+        triangles += ChangeVolume::bytes_needed(scene.motion.rest_positions.size());
     const size_t needed = picture + structures + triangles;
     if (needed > left)
         throw Error(

@@ -82,6 +82,8 @@ Pose pose_of_frame(const Scene& scene, const Settings& settings, int frame) {
 
 Pipeline::Pipeline(const Scene& scene, ShaderLibrary shaders)
     : shaders_(std::move(shaders)), source_(scene), scene_(scene), deform_(scene.motion),
+      spatial_hash_(scene.motion.parts.empty() ? std::nullopt
+                                               : std::optional(scene.motion.first_vertex)),
       lights_(scene) {}
 
 void Pipeline::set_pose(const Pose& pose) {
@@ -90,7 +92,7 @@ void Pipeline::set_pose(const Pose& pose) {
     if (!source_.motion.parts.empty()) {
         deform_.run(shaders_, timer_, scene_, source_.motion, pose);
         moved_ = true;
-        spatial_hash_.clear();
+        spatial_hash_.vertices_moved();
     }
     lights_.upload(lights_at(source_, pose));
     pose_ = pose;

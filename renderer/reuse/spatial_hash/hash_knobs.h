@@ -132,6 +132,12 @@ inline const Knob<HashView> kHashView{
     HashView::cell,
     {"cell", "samples", "age", "failed"}};
 
+/// Of cells of level 0, metres.
+inline float smallest_cell_size(const Settings& settings) {
+    const double fixed = settings.get(kHashFixedSize);
+    return static_cast<float>(fixed > 0.0 ? fixed : settings.get(kHashSmallest));
+}
+
 /// Every knob of this folder.
 inline std::vector<const KnobBase*> spatial_hash_knobs() {
     return {&kHashEnabled,  &kHashCapacity,  &kHashSearch, &kHashProbing,     &kHashFootprint,

@@ -19,22 +19,23 @@ constexpr uint32_t kJitterStream = 0x9E3779B9u;
 
 uint32_t capacity_of(const Settings& settings) { return 1u << settings.get(kHashCapacity); }
 
-float smallest_size(const Settings& settings) {
-    const double fixed = settings.get(kHashFixedSize);
-    return static_cast<float>(fixed > 0.0 ? fixed : settings.get(kHashSmallest));
-}
-
 /// Wanted size of a cell over the smallest, per metre from the eye; 0: all are the smallest.
 float size_ratio(const Settings& settings, const View& view) {
     if (settings.get(kHashFixedSize) > 0.0)
         return 0.0f;
-    return pixels_at_unit_depth(view, settings.get(kHashFootprint)) / smallest_size(settings);
+    return pixels_at_unit_depth(view, settings.get(kHashFootprint)) / smallest_cell_size(settings);
 }
 
 /// More than any cell holds, where tracing never stops.
 uint32_t sample_cap(const Settings& settings) {
     return settings.get(kHashStop) ? static_cast<uint32_t>(settings.get(kHashSampleCap))
                                    : gpu::kSamplesMask;
+}
+
+/// Frames without use before a cell is freed.
+uint32_t max_age(const Settings& settings) {
+    return settings.get(kHashEvict) ? static_cast<uint32_t>(settings.get(kHashEvictionAge))
+                                    : gpu::kMaxAge;
 }
 
 /// The settings with everything default that changes nothing of what a sample in a cell means.
@@ -52,9 +53,15 @@ ShaderVariant variant_of(const char* name, const char* file, std::vector<ShaderD
     return {name, {{GL_COMPUTE_SHADER, file}}, std::move(defines), {}};
 }
 
-ShaderVariant claim_variant(const Settings& settings) {
-    return variant_of("hash claim", "reuse/spatial_hash/claim.comp.glsl",
-                      HashTable::defines(settings.get(kHashProbing)));
+ShaderVariant claim_variant(const Settings& settings, bool renews) {
+    std::vector<ShaderDefine> defines = HashTable::defines(settings.get(kHashProbing));
+    defines.push_back({"RENEWS", renews ? "1" : "0"});
+    return variant_of("hash claim", "reuse/spatial_hash/claim.comp.glsl", std::move(defines));
+}
+
+ShaderVariant renew_variant() {
+    return variant_of("hash renew", "reuse/spatial_hash/renew.comp.glsl",
+                      HashTable::defines(HashProbing::linear));
 }
 
 ShaderVariant add_variant(const Settings& settings) {
@@ -98,11 +105,15 @@ void SpatialHash::prepare(const FrameContext& frame, const View& view) {
     if (table_.capacity() != capacity) {
         table_ = {}; // first, so that both are never held at once
         table_ = HashTable(capacity);
-        stale_ = false;
+        stale_ = true;
     }
     Settings meaning = meaning_of(frame.settings);
     if (stale_ || meaning_ != meaning)
+        renewal_.release(); // which then cannot follow
+    if (!renewal_.follow(frame, max_age(frame.settings))) {
         table_.clear();
+        renewal_.begin(frame);
+    }
     stale_ = false;
     meaning_ = std::move(meaning);
 
@@ -127,6 +138,8 @@ void SpatialHash::run(const FrameContext& frame, const View& view, const GBuffer
         draw(frame, view, gbuffer);
     const Texture& visibility = ambient_occlusion.visibility_of_size(view.size);
     claim(frame, view, gbuffer, visibility);
+    if (renewal_.is_needed())
+        renew(frame);
     ambient_occlusion.run(frame, view, gbuffer, tracer, &list_);
     add(frame, visibility);
     resolve(frame, visibility);
@@ -142,7 +155,7 @@ void SpatialHash::set_key_uniforms(const Program& program, const FrameContext& f
     const Settings& settings = frame.settings;
     view.set_uniforms(program);
     program.set("size_ratio", size_ratio(settings, view));
-    program.set("inverse_smallest", 1.0f / smallest_size(settings));
+    program.set("inverse_smallest", 1.0f / smallest_cell_size(settings));
     program.set("normal_bins", static_cast<float>(settings.get(kHashNormalBins)));
     program.set("frame", frame.frame);
     program.set("jitter_key", gpu::pcg_hash(gpu::pcg_hash(frame.seed) + kJitterStream));
@@ -155,18 +168,33 @@ void SpatialHash::set_key_uniforms(const Program& program, const FrameContext& f
 void SpatialHash::claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
                         const Texture& visibility) {
     const Settings& settings = frame.settings;
-    const Program& program = claim_program_.get(frame.shaders, claim_variant(settings));
+    const bool renews = renewal_.is_needed();
+    const Program& program = (renews ? renewing_claim_program_ : claim_program_)
+                                 .get(frame.shaders, claim_variant(settings, renews));
     auto pass = frame.timer.compute("hash claim");
     program.use();
     set_key_uniforms(program, frame, view);
     program.set("sample_cap", sample_cap(settings));
     program.set("adding_stride", adding_stride(settings, view.size));
+    if (renews)
+        renewal_.bind(program);
     gbuffer.bind_surface();
     visibility.bind_image(0, GL_WRITE_ONLY);
     cells_.bind_image(1, GL_WRITE_ONLY);
     list_.bind_to_fill();
     counts_.bind(GL_SHADER_STORAGE_BUFFER, 3);
     program.dispatch_covering(cells_.size());
+    wait_for_stores();
+}
+
+void SpatialHash::renew(const FrameContext& frame) {
+    const Program& program = renew_program_.get(frame.shaders, renew_variant());
+    auto pass = frame.timer.compute("hash renew");
+    program.use();
+    table_.bind(program, 1);
+    cells_.bind(0);
+    counts_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+    list_.dispatch();
     wait_for_stores();
 }
 
@@ -193,15 +221,11 @@ void SpatialHash::resolve(const FrameContext& frame, const Texture& visibility) 
 }
 
 void SpatialHash::settle(const FrameContext& frame) {
-    const Settings& settings = frame.settings;
-    const uint32_t max_age = settings.get(kHashEvict)
-                                 ? static_cast<uint32_t>(settings.get(kHashEvictionAge))
-                                 : gpu::kMaxAge;
     const Program& program = settle_program_.get(frame.shaders, HashTable::settle_variant());
     auto pass = frame.timer.compute("hash settle");
     program.use();
     counts_.bind(GL_SHADER_STORAGE_BUFFER, 3);
-    table_.settle(program, frame.frame, max_age);
+    table_.settle(program, frame.frame, max_age(frame.settings));
 }
 
 void SpatialHash::draw(const FrameContext& frame, const View& view, const GBuffer& gbuffer) {
@@ -226,6 +250,7 @@ void SpatialHash::release() {
     cells_ = {};
     counts_ = {};
     picture_ = {};
+    renewal_.release();
     meaning_.reset();
 }
 
@@ -236,9 +261,12 @@ bool SpatialHash::is_used(const Settings& settings) {
 std::vector<StructureBytes> SpatialHash::bytes() const {
     if (table_.capacity() == 0)
         return {};
-    return {
+    std::vector<StructureBytes> all = {
         {"hash table", table_.bytes()},
         {"hash of pixels", list_.bytes() + cells_.bytes() + counts_.bytes() + picture_.bytes()}};
+    if (renewal_.bytes() > 0)
+        all.push_back({"hash changes", renewal_.bytes()});
+    return all;
 }
 
 size_t SpatialHash::bytes_needed(const Settings& settings, size_t pixels) {
@@ -249,8 +277,16 @@ size_t SpatialHash::bytes_needed(const Settings& settings, size_t pixels) {
 }
 
 std::vector<ShaderVariant> SpatialHash::variants(const Settings& settings) {
-    return {claim_variant(settings), add_variant(settings), resolve_variant(),
-            HashTable::settle_variant(), view_variant(settings)};
+    std::vector<ShaderVariant> all = {claim_variant(settings, false),
+                                      claim_variant(settings, true),
+                                      renew_variant(),
+                                      add_variant(settings),
+                                      resolve_variant(),
+                                      HashTable::settle_variant(),
+                                      view_variant(settings)};
+    for (ShaderVariant& variant : ChangeVolume::variants())
+        all.push_back(std::move(variant));
+    return all;
 }
 
 std::vector<NamedCount> SpatialHash::counts() const {
@@ -269,6 +305,7 @@ std::vector<NamedCount> SpatialHash::counts() const {
         {"hash slots", table_.capacity()},
         {"hash insertions", at(gpu::kCountInsertions)},
         {"hash evictions", at(gpu::kCountEvictions)},
+        {"hash renewals", at(gpu::kCountRenewals)},
         {"hash failed pixels", at(gpu::kCountFailed)},
         {"hash longest probe", std::max(at(gpu::kCountProbes), std::min(surfaces, uint64_t{1}))}};
     for (int bin = 0; bin < gpu::kHistogramBins; ++bin)

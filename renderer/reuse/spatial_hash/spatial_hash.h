@@ -2,6 +2,7 @@
 #pragma once
 
 #include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
+#include "renderer/reuse/spatial_hash/cell_renewal.h"
 #include "renderer/reuse/spatial_hash/hash_table.h"
 
 #include <optional>
@@ -16,12 +17,19 @@ namespace romascope {
 /// so that nothing depends on the order in which a GPU runs pixels, as long as the table has room.
 class SpatialHash {
 public:
+    /// `first_moving_vertex`: from that one on vertices of the scene may move; none do without.
+    explicit SpatialHash(std::optional<uint32_t> first_moving_vertex = {})
+        : renewal_(first_moving_vertex) {}
+
     /// A frame, in place of ambient_occlusion.run(): its visibility() is then what the cells have.
     /// Starts with an empty table where the settings say that cells mean something else.
     void run(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
              const Tracer& tracer, AmbientOcclusion& ambient_occlusion);
     /// Forgets all cells: what they hold is no longer so.
     void clear() { stale_ = true; }
+    /// Vertices may stand elsewhere than in the last frame: forgets the cells within reach of those
+    /// that do, when they are seen again; with an unbounded radius all.
+    void vertices_moved() { renewal_.vertices_moved(); }
     /// Forgets all cells and gives back their memory.
     void release();
 
@@ -46,13 +54,16 @@ private:
                           const View& view) const;
     void claim(const FrameContext& frame, const View& view, const GBuffer& gbuffer,
                const Texture& visibility);
+    void renew(const FrameContext& frame);
     void add(const FrameContext& frame, const Texture& visibility);
     void resolve(const FrameContext& frame, const Texture& visibility);
     void settle(const FrameContext& frame);
     void draw(const FrameContext& frame, const View& view, const GBuffer& gbuffer);
 
-    ProgramSlot claim_program_, add_program_, resolve_program_, settle_program_, view_program_;
+    ProgramSlot claim_program_, renewing_claim_program_, renew_program_, add_program_,
+        resolve_program_, settle_program_, view_program_;
     HashTable table_;
+    CellRenewal renewal_;
     PixelList list_; ///< pixels that trace
     Texture cells_;  ///< RG32UI, of these, see shaders/reuse/spatial_hash/pixel_cells.h
     Buffer counts_;  ///< gpu::kHashCounts words

@@ -96,7 +96,8 @@ const int kCountEvictions = 6;
 const int kCountSamples = 7; ///< cells by samples: below 4, 16, 64, 256, 1024, and more
 const int kCountAges = 13;   ///< cells by frames since last use: 0, below 2, 4, 8, 16, and more
 const int kHistogramBins = 6;
-const int kHashCounts = 19;
+const int kCountRenewals = 19; ///< cells that were emptied, as something moved within their reach
+const int kHashCounts = 20;
 /// Slots that one invocation settles.
 const uint kSettledEach = 8u;
 

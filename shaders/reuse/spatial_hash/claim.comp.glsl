@@ -7,10 +7,14 @@
 //       the list of pixels (list_pixels.glsl), and their pixel_cells, RG32UI (pixel_cells.h)
 //       the table; hash_counts
 // Host: see pixel_key.glsl, table.glsl, list_pixels.glsl; sample_cap: cells with so many take no
-//       more; adding_stride: one pixel in so many may add, each in its turn, so that no sum overflows
+//       more; adding_stride: one pixel in so many may add, each in its turn, so that no sum overflows;
+//       RENEWS 0 or 1: whether cells may be stale, then see stale_cells.glsl
 #include "shaders/estimators/list_pixels.glsl"
 #include "shaders/reuse/spatial_hash/pixel_key.glsl"
 #include "shaders/reuse/spatial_hash/table.glsl"
+#if RENEWS
+#include "shaders/reuse/spatial_hash/stale_cells.glsl"
+#endif
 
 layout(local_size_x = 16, local_size_y = 8) in;
 layout(r16, binding = 0) writeonly uniform image2D visibility;
@@ -27,6 +31,7 @@ shared uint group_first; ///< place of its first pixel in the list
 struct UsedCell {
     uint slot; ///< kNoSlot if the table has no room
     uvec2 sums;
+    bool stale; ///< it will be emptied, and has no sums
 };
 
 UsedCell used_cell(Surface surface, vec3 shift, int level) {
@@ -36,7 +41,15 @@ UsedCell used_cell(Surface surface, vec3 shift, int level) {
         atomicAdd(group_counts[kCountInsertions], 1u);
     if (found.probes > 1 && uint(found.probes) > group_counts[kCountProbes])
         atomicMax(group_counts[kCountProbes], uint(found.probes));
-    return UsedCell(found.slot, found.slot == kNoSlot ? uvec2(0u) : use_cell(found.slot));
+    UsedCell cell = UsedCell(found.slot, uvec2(0u), false);
+    if (found.slot != kNoSlot) {
+#if RENEWS
+        cell.sums = use_unless_stale(found.slot, key, cell.stale);
+#else
+        cell.sums = use_cell(found.slot);
+#endif
+    }
+    return cell;
 }
 
 /// True if the pixel traces; `words` are its cells then. Else its visibility is known.
@@ -53,7 +66,7 @@ bool traces(ivec2 pixel, out uvec2 words) {
     int level = cell_level(ratio);
     float weight = larger_share(ratio);
     UsedCell cell = used_cell(surface, shift, level);
-    UsedCell larger = UsedCell(kNoSlot, uvec2(0u));
+    UsedCell larger = UsedCell(kNoSlot, uvec2(0u), false);
     if (weight > 0.0)
         larger = used_cell(surface, shift, level + 1);
     if (cell.slot == kNoSlot && larger.slot == kNoSlot)
@@ -67,6 +80,7 @@ bool traces(ivec2 pixel, out uvec2 words) {
     }
     bool may_add = (uint(pixel.y * picture_size.x + pixel.x) + frame) % adding_stride == 0u;
     uint flags = (wants && may_add ? kCellTakes : 0u) | (larger_wants && may_add ? kLargerTakes : 0u);
+    flags |= (cell.stale ? kCellStale : 0u) | (larger.stale ? kLargerStale : 0u);
     words = uvec2(packed_slot(cell.slot) | flags, packed_larger(larger.slot, weight));
     return true;
 }

@@ -11,6 +11,8 @@ namespace romascope::gpu {
 // Flags of the first word.
 const uint kCellTakes = 1u << 31;   ///< the pixel's rays are added to its cell
 const uint kLargerTakes = 1u << 30; ///< and to the larger one
+const uint kCellStale = 1u << 29;   ///< what the cell holds is no longer so
+const uint kLargerStale = 1u << 28; ///< nor what the larger one holds
 const uint kSlotBits = 0x1FFFFFFu;  ///< of either word: slot + 1, or 0 for none
 const uint kWeightShift = 25u;
 const float kFullWeight = 127.0f;

@@ -60,6 +60,15 @@ uvec2 use_cell(uint slot) {
     return uvec2(used.x, used.y & kSamplesMask);
 }
 
+/// Likewise, after emptying a cell that was not used in this frame. True for one of all who do it.
+bool renew_cell(uint slot) {
+    if ((hash_sums[slot].y & kInUse) != 0u)
+        return false;
+    bool first = (atomicExchange(hash_sums[slot].y, kInUse) & kInUse) == 0u;
+    atomicAnd(hash_sums[slot].x, 0u);
+    return first;
+}
+
 /// Adds to a cell that is in use.
 void add_to_cell(uint slot, uint hits, uint samples) {
     if (hits > 0u)

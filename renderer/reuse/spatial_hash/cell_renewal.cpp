@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "renderer/reuse/spatial_hash/cell_renewal.h"
+
+#include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
+#include "renderer/tracers/occupancy/bit_grid.h"
+#include "renderer/tracers/occupancy/occupancy_knobs.h"
+#include "shaders/reuse/spatial_hash/cell_state.h"
+#include "shaders/reuse/spatial_hash/stale_cells.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace romascope {
+namespace {
+
+static_assert(gpu::kMaxAge == gpu::kOldestUse);
+
+/// Of an occupancy cell: smaller moves change the map less than its jitter does.
+constexpr float kToleratedCells = 0.25f;
+/// Occupancy cells by which what a ray finds may lie nearer than what moved.
+constexpr float kTracedCells = 1.0f;
+
+} // namespace
+
+bool CellRenewal::follow(const FrameContext& frame, uint32_t max_age) {
+    if (!begun_)
+        return false;
+    if (std::exchange(moved_, false)) {
+        if (!changes_.has_begun() || !changes_.covers(frame.scene.bounds()))
+            return false;
+        changes_.update(frame, reaches(frame.settings), tolerance_);
+        last_change_ = frame.frame;
+        needed_ = true;
+    }
+    const uint32_t oldest = std::max(max_age, std::exchange(max_age_, max_age));
+    // Ages beyond kMaxAge are not told apart.
+    needed_ = needed_ && (oldest >= gpu::kMaxAge || frame.frame - last_change_ <= oldest);
+    return true;
+}
+
+void CellRenewal::begin(const FrameContext& frame) {
+    const Settings& settings = frame.settings;
+    begun_ = true;
+    moved_ = needed_ = false;
+    const float radius = ambient_occlusion_radius(settings);
+    if (!first_vertex_ || !std::isfinite(radius) || !ChangeVolume::takes(frame.scene)) {
+        changes_.release();
+        return;
+    }
+    const float cell = OccupancyGrid::fit(frame.scene.bounds(), settings.get(kOccupancyResolution),
+                                          glm::vec3(0.0f))
+                           .cell_size;
+    tolerance_ = kToleratedCells * cell;
+    cell_reach_ = radius + kTracedCells * cell;
+    changes_.begin(frame, *first_vertex_, cell_reach_);
+    // Cells up to half a block share the first reach.
+    const float block = 1.0f / changes_.grid().blocks_per_metre;
+    first_level_ = gpu::cell_level(0.5f * block / smallest_cell_size(settings));
+}
+
+void CellRenewal::release() {
+    changes_.release();
+    begun_ = moved_ = needed_ = false;
+}
+
+void CellRenewal::bind(const Program& program) const {
+    changes_.bind(program, 4);
+    program.set("first_level", first_level_);
+    program.set("last_change", last_change_);
+}
+
+ChangeVolume::Reaches CellRenewal::reaches(const Settings& settings) const {
+    const auto jitter = static_cast<float>(settings.get(kHashJitter));
+    ChangeVolume::Reaches reaches{};
+    for (int i = 0; i < gpu::kReaches; ++i)
+        reaches[static_cast<size_t>(i)] = cell_reach_ + smallest_cell_size(settings) *
+                                                            gpu::power_of_two(first_level_ + i) *
+                                                            gpu::cell_radius(jitter);
+    return reaches;
+}
+
+} // namespace romascope

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: MIT
+// Blocks of space, each with the frame in which something within reach of it last moved: what the
+// shaders and their CPU twin decide alike.
+//
+// Distances are those between the centres of blocks: off by less than the diagonal of one.
+#pragma once
+#include "shaders/common/cross.h"
+#ifdef __cplusplus
+namespace romascope::gpu {
+#endif
+
+/// So many reaches have a frame of their own in each block.
+const int kReaches = 4;
+/// Blocks: more than any grid has along a side.
+const int kFarAway = 1 << 14;
+/// Frames that are told apart: what was not used for longer is taken for older than any change.
+const uint kOldestUse = 0x8000u;
+
+struct ChangeGrid {
+    vec3 origin; ///< metres
+    float blocks_per_metre;
+    ivec3 size; ///< blocks, at most 256 along a side
+};
+
+/// The block that a point lies in, or beyond the grid the nearest: points only come closer by that.
+/// Any float, NaN included, gives a block.
+SHARED_FN int block_along(float place, int count) {
+    return place > 0.0f ? int(min(place, float(count - 1))) : 0;
+}
+SHARED_FN ivec3 block_of(vec3 position, ChangeGrid grid) {
+    vec3 place = (position - grid.origin) * grid.blocks_per_metre;
+    return ivec3(block_along(place.x, grid.size.x), block_along(place.y, grid.size.y),
+                 block_along(place.z, grid.size.z));
+}
+
+/// Row by row along x, then y, then z.
+SHARED_FN uint block_index(ivec3 block, ivec3 size) {
+    return uint((block.z * size.y + block.y) * size.x + block.x);
+}
+SHARED_FN ivec3 block_at(uint index, ivec3 size) {
+    int row = int(index) / size.x;
+    return ivec3(int(index) - row * size.x, row % size.y, row / size.y);
+}
+
+/// Words of a row's bits, one for each block.
+SHARED_FN int row_words(ivec3 size) { return (size.x + 31) >> 5; }
+
+/// Whether a vertex has moved, along any axis, by more than `tolerance` metres.
+SHARED_FN bool has_moved(vec3 before, vec3 now, float tolerance) {
+    vec3 way = abs(now - before);
+    return way.x > tolerance || way.y > tolerance || way.z > tolerance;
+}
+
+/// Whether something changed after the last use: both ages in frames before this one, where 0 is
+/// this frame. What changed in a frame was so when that frame used it.
+SHARED_FN bool changed_since(uint change_age, uint use_age) {
+    return use_age > min(change_age, kOldestUse - 1u);
+}
+
+#ifdef __cplusplus
+} // namespace romascope::gpu
+#endif

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// Marks the blocks of triangles that moved, where they were and where they are. One invocation a
+// triangle.
+//
+// In:   positions; indices; followed: the moving vertices as they were when they were last found to
+//       have moved
+// Out:  moved_blocks: a word 1 if some triangle is too large to be marked, then rows of bits
+// Host: see change_grid.glsl; first_vertex: the first that moves; triangle_count; tolerance, metres;
+//       first_float: see followed_vertices.glsl
+#include "shaders/reuse/changes/change_grid.glsl"
+#include "shaders/reuse/changes/followed_vertices.glsl"
+#include "shaders/tracers/occupancy/triangle_cells.h"
+#include "shaders/tracers/occupancy/work_list.h"
+
+layout(local_size_x = 64) in;
+layout(std430, binding = 2) readonly buffer Indices { uint indices[]; };
+layout(std430, binding = 3) buffer MovedBlocks {
+    uint all_moved;
+    uint moved_blocks[];
+};
+uniform uint triangle_count;
+
+/// Turns of loops, well below the 65,535 after which software ends an invocation.
+int turns_left = 50000;
+
+void mark(ivec3 block) {
+    int row = block.z * grid_size.y + block.y;
+    atomicOr(moved_blocks[row * row_words(grid_size) + (block.x >> 5)], 1u << (block.x & 31));
+}
+
+void mark_column(CellTriangle t, int u, int v) {
+    CellRange column = cells_of_column(t, u, v, true);
+    for (int w = column.first; w <= column.last && turns_left > 0; ++w) {
+        --turns_left;
+        ivec3 cell = ivec3(u, v, w);
+        if (t.kind == kCellsBox || occupancy_of_cell(t, cell, true) != 0)
+            mark(cell_xyz(cell, t.axis));
+    }
+}
+
+void mark_row(CellTriangle t, int u) {
+    CellRange row = cells_of_row(t, u, t.first.y, t.last.y);
+    for (int v = row.first; v <= row.last && turns_left > 0; ++v) {
+        --turns_left;
+        mark_column(t, u, v);
+    }
+}
+
+void mark_triangle(vec3 corners[3]) {
+    vec3 p = (corners[0] - grid_origin) * blocks_per_metre;
+    vec3 q = (corners[1] - grid_origin) * blocks_per_metre;
+    vec3 r = (corners[2] - grid_origin) * blocks_per_metre;
+    int apex = apex_of(p, q, r);
+    CellTriangle t = cell_triangle(apex == 0 ? p : apex == 1 ? q : r, apex == 0 ? q : apex == 1 ? r : p,
+                                   apex == 0 ? r : apex == 1 ? p : q, grid_size, true);
+    if (t.kind == kCellsNone)
+        return;
+    for (int u = t.first.x; u <= t.last.x && turns_left > 0; ++u) {
+        --turns_left;
+        mark_row(t, u);
+    }
+}
+
+void main() {
+    uint triangle = gl_GlobalInvocationID.y * kTriangleRow + gl_GlobalInvocationID.x;
+    if (triangle >= triangle_count)
+        return;
+    vec3 now[3];
+    vec3 before[3];
+    bool moved = false;
+    for (uint i = 0u; i < 3u; ++i) {
+        uint vertex = indices[3u * triangle + i];
+        now[i] = position_of(vertex);
+        before[i] = vertex < first_vertex ? now[i] : followed_position(vertex);
+        moved = moved || has_moved(before[i], now[i], tolerance);
+    }
+    if (!moved)
+        return;
+    mark_triangle(before);
+    mark_triangle(now);
+    if (turns_left <= 0)
+        all_moved = 1u;
+}

@@ -1,0 +1,361 @@
+// SPDX-License-Identifier: MIT
+// Which cells of the spatial hash are emptied where something moves, and when.
+#include "shaders/reuse/spatial_hash/search.h"
+#include "shaders/reuse/spatial_hash/stale_cells.h"
+#include "tests/gl/gl_test.h"
+#include "tests/support/moving_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <unordered_map>
+
+namespace romascope {
+namespace {
+
+class MovingCells : public GlTest {
+protected:
+    static constexpr float kCell = 0.1f;
+
+    MovingCells() {
+        settings_.set(kWidth, 96);
+        settings_.set(kHeight, 72);
+        settings_.set(kOccupancyResolution, 64);
+        settings_.set(kAoRadius, 0.6);
+        settings_.set(kHashEnabled, true);
+        settings_.set(kHashCapacity, 16);
+        settings_.set(kHashFixedSize, double{kCell});
+        settings_.set(kHashSampleCap, 32768);
+    }
+
+    /// A floor of 8 m with posts on it, and a block that stands where pose() puts it.
+    static Scene yard() {
+        MovingSceneBuilder builder;
+        std::vector<glm::vec3> corners = rectangle({0, 0, 0}, {0, 1, 0}, 4.0f);
+        for (const glm::vec2 place : {glm::vec2(-3, -1), glm::vec2(-1, -3), glm::vec2(2, 2)})
+            add_box(corners, {place.x, 0.3f, place.y}, 0.3f);
+        builder.add_still(corners);
+        std::vector<glm::vec3> block;
+        add_box(block, {0, 0.25f, 0}, 0.25f);
+        const uint32_t node = builder.add_node({});
+        builder.add_moving({block, std::vector<glm::vec3>(block.size()), node, -1, 0, {}, {}});
+        Scene scene = builder.build();
+        scene.cameras = {look_at("above", {0.5f, 9, 0}, {0, 0, 0}, 0.9f),
+                         look_at("sky", {0, 5, 0}, {0, 9, 1}, 0.9f)};
+        return scene;
+    }
+
+    static void add_box(std::vector<glm::vec3>& corners, glm::vec3 centre, float half) {
+        for (int axis = 0; axis < 3; ++axis) {
+            for (const float side : {-1.0f, 1.0f}) {
+                glm::vec3 normal(0.0f);
+                normal[axis] = side;
+                for (const glm::vec3 corner : rectangle(centre + half * normal, normal, half))
+                    corners.push_back(corner);
+            }
+        }
+    }
+
+    static Pose pose(glm::dvec3 place) {
+        Pose pose{{glm::dmat4(1.0)}, {}};
+        pose.node_to_world[0][3] = glm::dvec4(place, 1.0);
+        return pose;
+    }
+
+    void render(Pipeline& pipeline, const Pose& pose, const Camera& camera, int frames) {
+        for (int i = 0; i < frames; ++i) {
+            pipeline.set_pose(pose);
+            pipeline.render(settings_, camera);
+        }
+    }
+
+    static uint64_t count(const Pipeline& pipeline, const std::string& name) {
+        for (const NamedCount& count : pipeline.counts())
+            if (count.name == name)
+                return count.count;
+        ADD_FAILURE() << "no count " << name;
+        return 0;
+    }
+
+    /// The centre of each cell of level 0 by its slot, of the slots that are taken.
+    std::map<size_t, glm::vec3> places(const std::vector<gpu::Cell>& cells, const Bounds& bounds) {
+        const float inverse = 1.0f / smallest_cell_size(settings_);
+        std::unordered_map<uint32_t, size_t> slots;
+        for (size_t slot = 0; slot < cells.size(); ++slot)
+            if (cells[slot].checksum != 0)
+                slots[cells[slot].checksum] = slot;
+        std::map<size_t, glm::vec3> places;
+        const glm::ivec3 low = glm::ivec3(glm::floor(bounds.min * inverse)) - 3;
+        const glm::ivec3 high = glm::ivec3(glm::floor(bounds.max * inverse)) + 3;
+        const auto bins = static_cast<int>(settings_.get(kHashNormalBins));
+        gpu::CellKey key{};
+        for (int normal = 0; normal < (2 * bins + 1) * (2 * bins + 1) * (2 * bins + 1); ++normal) {
+            const int side = 2 * bins + 1;
+            key.normal =
+                glm::ivec3(normal % side, normal / side % side, normal / side / side) - bins;
+            const float length = glm::length(glm::vec3(key.normal)) / static_cast<float>(bins);
+            if (length < 0.6f || length > 1.4f)
+                continue; // no unit normal is rounded to it
+            for (key.cell.z = low.z; key.cell.z <= high.z; ++key.cell.z)
+                for (key.cell.y = low.y; key.cell.y <= high.y; ++key.cell.y)
+                    for (key.cell.x = low.x; key.cell.x <= high.x; ++key.cell.x) {
+                        const auto found = slots.find(gpu::key_checksum(key));
+                        const auto mask = static_cast<uint32_t>(cells.size() - 1);
+                        if (found != slots.end() &&
+                            ((static_cast<uint32_t>(found->second) - gpu::home_hash(key)) & mask) <
+                                static_cast<uint32_t>(settings_.get(kHashSearch)))
+                            places[found->second] = gpu::cell_centre(key, inverse);
+                    }
+        }
+        return places;
+    }
+
+    /// Points of the moving triangles in a pose, no farther from each other than `spacing`.
+    static std::vector<glm::vec3> points_of_moving(const Scene& scene, const Pose& pose,
+                                                   float spacing) {
+        Scene posed = scene;
+        apply_pose(posed, pose);
+        std::vector<glm::vec3> points;
+        for (size_t i = 0; i < posed.indices.size(); i += 3) {
+            if (posed.indices[i] < posed.motion.first_vertex)
+                continue;
+            const glm::vec3 a = posed.positions[posed.indices[i]];
+            const glm::vec3 ab = posed.positions[posed.indices[i + 1]] - a;
+            const glm::vec3 ac = posed.positions[posed.indices[i + 2]] - a;
+            const float longest =
+                std::max({glm::length(ab), glm::length(ac), glm::length(ab - ac)});
+            const auto steps = static_cast<int>(std::ceil(longest / spacing)) + 1;
+            for (int u = 0; u <= steps; ++u)
+                for (int v = 0; u + v <= steps; ++v)
+                    points.push_back(a + (static_cast<float>(u) * ab + static_cast<float>(v) * ac) /
+                                             static_cast<float>(steps));
+        }
+        return points;
+    }
+
+    static float distance_to(const std::vector<glm::vec3>& points, glm::vec3 from) {
+        float nearest = std::numeric_limits<float>::infinity();
+        for (const glm::vec3 point : points) {
+            const glm::vec3 way = point - from;
+            nearest = std::min(nearest, glm::dot(way, way));
+        }
+        return std::sqrt(nearest);
+    }
+
+    /// By slot, how far the cells that were there lie from what moved: from the points of the
+    /// moving triangles in both poses.
+    std::map<size_t, float> distances(const std::vector<gpu::Cell>& cells, const Scene& scene,
+                                      const Pose& from, const Pose& to, float spacing) {
+        std::vector<glm::vec3> points = points_of_moving(scene, from, spacing);
+        for (const glm::vec3 point : points_of_moving(scene, to, spacing))
+            points.push_back(point);
+        Bounds bounds = scene.bounds;
+        for (const glm::vec3 point : points)
+            bounds.add(point);
+        std::map<size_t, float> distances;
+        for (const auto& [slot, centre] : places(cells, bounds))
+            distances[slot] = distance_to(points, centre);
+        return distances;
+    }
+
+    /// From a cell's centre to what is out of reach of all that it may take.
+    float out_of_reach() const {
+        return static_cast<float>(settings_.get(kAoRadius)) +
+               smallest_cell_size(settings_) *
+                   gpu::cell_radius(static_cast<float>(settings_.get(kHashJitter)));
+    }
+
+    Settings settings_{all_knobs()};
+};
+
+TEST_F(MovingCells, ThoseOutOfReachKeepTheirCounts) {
+    const Scene scene = yard();
+    const Pose from = pose({-2, 0, -2}), to = pose({-1.5, 0, -2});
+    Pipeline pipeline(scene, ShaderLibrary());
+    render(pipeline, from, scene.cameras[0], 12);
+    EXPECT_EQ(count(pipeline, "hash renewals"), 0u);
+    const auto before = pipeline.spatial_hash().table().download();
+    render(pipeline, to, scene.cameras[0], 1);
+    const auto after = pipeline.spatial_hash().table().download();
+    size_t far = 0, kept = 0;
+    for (const auto& [slot, distance] : distances(before, scene, from, to, 0.02f)) {
+        if (distance <= out_of_reach())
+            continue;
+        ++far;
+        kept += gpu::cell_samples(after[slot]) >= gpu::cell_samples(before[slot]);
+    }
+    EXPECT_GT(far, 4000u);
+    EXPECT_GE(kept, far * 95 / 100) << "of " << far;
+}
+
+TEST_F(MovingCells, ThoseWithinReachAreWhatAFreshTableHas) {
+    // Without jitter the same cells are used in every frame.
+    settings_.set(kHashJitter, 0.0);
+    const Scene scene = yard();
+    const Pose from = pose({-2, 0, -2}), to = pose({-1.5, 0, -2});
+    for (const uint32_t first : {0u, 0xFFFAu, 0xFFFFFFF6u, 0xFFFFFFF9u}) {
+        Pipeline pipeline(scene, ShaderLibrary()), fresh(scene, ShaderLibrary());
+        pipeline.restart(first);
+        render(pipeline, from, scene.cameras[0], 6);
+        const auto before = pipeline.spatial_hash().table().download();
+        render(pipeline, to, scene.cameras[0], 1);
+        const uint64_t renewals = count(pipeline, "hash renewals");
+        render(pipeline, to, scene.cameras[0], 3);
+        EXPECT_EQ(count(pipeline, "hash renewals"), 0u) << "once is enough";
+        const auto after = pipeline.spatial_hash().table().download();
+        fresh.restart(first + 6);
+        render(fresh, to, scene.cameras[0], 4);
+        std::map<uint32_t, gpu::Cell> anew;
+        for (const gpu::Cell& cell : fresh.spatial_hash().table().download())
+            anew[cell.checksum] = cell;
+
+        size_t near = 0, emptied = 0;
+        for (const auto& [slot, distance] : distances(before, scene, from, to, 0.02f)) {
+            const auto found = anew.find(after[slot].checksum);
+            if (found == anew.end())
+                continue; // not seen since
+            const bool equal = found->second.hits == after[slot].hits &&
+                               found->second.samples == after[slot].samples;
+            if (distance < static_cast<float>(settings_.get(kAoRadius))) {
+                ++near;
+                ASSERT_TRUE(equal) << distance;
+            }
+            emptied += equal;
+        }
+        EXPECT_GT(near, 150u);
+        EXPECT_EQ(emptied, renewals);
+    }
+}
+
+TEST_F(MovingCells, UnseenOnesAreEmptiedWhenTheyAreSeenAgain) {
+    settings_.set(kHashJitter, 0.0);
+    const Scene scene = yard();
+    const Pose from = pose({-2, 0, -2}), to = pose({-1.5, 0, -2}), back = pose({-2, 0, -2.001});
+    for (const bool evicts : {true, false}) {
+        settings_.set(kHashEvict, evicts);
+        Pipeline pipeline(scene, ShaderLibrary()), watching(scene, ShaderLibrary());
+        render(watching, from, scene.cameras[0], 6);
+        render(watching, to, scene.cameras[0], 1);
+        render(pipeline, from, scene.cameras[0], 6);
+        render(pipeline, to, scene.cameras[1], 3);
+        render(pipeline, to, scene.cameras[1], 5);
+        EXPECT_EQ(count(pipeline, "hash renewals"), 0u) << "nothing is seen";
+        render(pipeline, to, scene.cameras[0], 1);
+        EXPECT_EQ(count(pipeline, "hash renewals"), count(watching, "hash renewals"));
+        EXPECT_GT(count(pipeline, "hash renewals"), 150u);
+        render(pipeline, to, scene.cameras[0], 1);
+        EXPECT_EQ(count(pipeline, "hash renewals"), 0u);
+        // There and back while nobody looks.
+        render(pipeline, back, scene.cameras[1], 1);
+        render(pipeline, to, scene.cameras[1], 1);
+        render(pipeline, to, scene.cameras[0], 1);
+        EXPECT_GT(count(pipeline, "hash renewals"), 150u);
+    }
+}
+
+TEST_F(MovingCells, NoGhostIsLeft) {
+    const Scene scene = yard();
+    const Pose from = pose({-2, 0, -2}), to = pose({0.5, 0, 0.5});
+    settings_.set(kMean, false);
+    Pipeline pipeline(scene, ShaderLibrary()), fresh(scene, ShaderLibrary());
+    render(pipeline, from, scene.cameras[0], 40);
+    render(pipeline, to, scene.cameras[0], 24);
+    fresh.restart(40);
+    render(fresh, to, scene.cameras[0], 24);
+    const Image picture = pipeline.picture(), expected = fresh.picture();
+    double largest = 0, sum = 0;
+    for (size_t i = 0; i < picture.data.size(); ++i) {
+        const double difference = std::abs(double(picture.data[i]) - double(expected.data[i]));
+        largest = std::max(largest, difference);
+        sum += difference;
+    }
+    // Cells that were kept have less noise than fresh ones. A block that stays where it was is 0.3
+    // and more around it.
+    EXPECT_LT(sum / static_cast<double>(picture.data.size()), 0.01);
+    EXPECT_LT(largest, 0.2);
+}
+
+TEST_F(MovingCells, TheSameBytesOnEveryRun) {
+    const Scene scene = yard();
+    const auto run = [&](Pipeline& pipeline) {
+        for (int frame = 0; frame < 10; ++frame)
+            render(pipeline, pose({-2 + 0.2 * frame, 0, 0.1 * frame}), scene.cameras[0], 1);
+        return pipeline.picture().data;
+    };
+    Pipeline first(scene, ShaderLibrary()), second(scene, ShaderLibrary());
+    const std::vector<float> picture = run(first);
+    EXPECT_GT(count(first, "hash renewals"), 0u);
+    EXPECT_EQ(run(second), picture);
+    first.restart();
+    EXPECT_EQ(run(first), picture);
+}
+
+TEST_F(MovingCells, SlowMovesAddUp) {
+    settings_.set(kHashJitter, 0.0);
+    const Scene scene = yard();
+    const auto place = [](double x) { return pose({x, 0, -2}); };
+    Pipeline pipeline(scene, ShaderLibrary());
+    render(pipeline, place(-2), scene.cameras[0], 3);
+    // A cell of the occupancy map is 8 / 63 m, a quarter of it 0.032.
+    size_t renewed = 0;
+    for (int frame = 1; frame <= 10; ++frame) {
+        render(pipeline, place(-2 + 0.01 * frame), scene.cameras[0], 1);
+        const bool expected = frame == 4 || frame == 8;
+        EXPECT_EQ(count(pipeline, "hash renewals") > 0, expected) << frame;
+        renewed += expected;
+    }
+    EXPECT_EQ(renewed, 2u);
+}
+
+TEST_F(MovingCells, AllAreForgottenWithAnUnboundedRadius) {
+    settings_.set(kAoRadius, std::numeric_limits<double>::infinity());
+    const Scene scene = yard();
+    Pipeline pipeline(scene, ShaderLibrary());
+    render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 3);
+    render(pipeline, pose({-1.5, 0, -2}), scene.cameras[0], 1);
+    EXPECT_EQ(count(pipeline, "hash insertions"), count(pipeline, "hash cells"));
+    EXPECT_EQ(count(pipeline, "hash renewals"), 0u);
+    for (const StructureBytes& structure : pipeline.bytes())
+        EXPECT_NE(structure.name, "hash changes");
+}
+
+TEST_F(MovingCells, WhatStandsStillCostsNoPass) {
+    const Scene scene = yard();
+    Pipeline pipeline(scene, ShaderLibrary());
+    const auto passes = [&] {
+        std::map<std::string, size_t> found;
+        pipeline.timer().finish();
+        for (const PassTiming& timing : pipeline.timer().timings())
+            found[timing.pass] = timing.milliseconds.size();
+        pipeline.timer().clear();
+        return found;
+    };
+    render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 5);
+    auto found = passes();
+    EXPECT_EQ(found["changes"] + found["hash renew"], 0u);
+    render(pipeline, pose({-1.5, 0, -2}), scene.cameras[0], 40);
+    found = passes();
+    EXPECT_EQ(found["changes"], 1u);
+    // From the change on until no cell is left that is older: at an age of 20 frames they go.
+    EXPECT_EQ(found["hash renew"], 21u);
+    settings_.set(kHashEvict, false);
+    render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 40);
+    EXPECT_EQ(passes()["hash renew"], 40u);
+}
+
+TEST_F(MovingCells, AllAreForgottenWhereSomethingLeavesTheVolume) {
+    const Scene scene = yard();
+    Pipeline pipeline(scene, ShaderLibrary());
+    render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 3);
+    render(pipeline, pose({-2, 6, -2}), scene.cameras[0], 1);
+    EXPECT_EQ(count(pipeline, "hash insertions"), count(pipeline, "hash cells"));
+    // The volume then holds it there and on the way back.
+    render(pipeline, pose({-2, 5, -2}), scene.cameras[0], 1);
+    EXPECT_LT(count(pipeline, "hash insertions"), count(pipeline, "hash cells") / 2);
+    render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 1);
+    EXPECT_GT(count(pipeline, "hash renewals"), 100u);
+    EXPECT_LT(count(pipeline, "hash insertions"), count(pipeline, "hash cells") / 2);
+}
+
+} // namespace
+} // namespace romascope
