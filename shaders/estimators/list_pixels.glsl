@@ -10,7 +10,7 @@ layout(std430, binding = 2) buffer ListHead { PixelListHead list_head; };
 
 /// Room for `count` more pixels, at least one: the first place of it. For a work group at a time.
 uint extend_list(uint count) {
-    uint first = atomicAdd(list_head.length, count);
+    uint first = atomicAdd(list_head.pixel_count, count);
     atomicMax(list_head.groups_y, (first + count + kListRow - 1u) / kListRow);
     return first;
 }

@@ -12,7 +12,7 @@ layout(std430, binding = 2) readonly buffer ListHead { PixelListHead list_head; 
 /// False if this invocation has no pixel.
 bool next_listed(out ivec2 pixel) {
     uint place = gl_WorkGroupID.y * kListRow + gl_WorkGroupID.x * kListGroup + gl_LocalInvocationIndex;
-    if (place >= list_head.length)
+    if (place >= list_head.pixel_count)
         return false;
     uint width = uint(textureSize(pixel_list, 0).x);
     pixel = unpacked_pixel(texelFetch(pixel_list, ivec2(int(place % width), int(place / width)), 0).x);

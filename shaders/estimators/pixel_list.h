@@ -18,7 +18,7 @@ struct PixelListHead {
     uint groups_x; ///< kListGroupsInX
     uint groups_y;
     uint groups_z; ///< 1
-    uint length;   ///< pixels in the list
+    uint pixel_count;
 };
 
 SHARED_FN uint packed_pixel(ivec2 pixel) { return uint(pixel.x) | (uint(pixel.y) << 16); }
