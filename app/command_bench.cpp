@@ -4,6 +4,7 @@
 #include "app/common_options.h"
 #include "app/frame_run.h"
 #include "app/output_files.h"
+#include "app/progress.h"
 #include "app/scene_files.h"
 #include "app/scene_options.h"
 #include "app/settings_options.h"
@@ -104,10 +105,14 @@ int bench(const BenchOptions& options) {
     if (query_driver().software)
         check_memory_of_all(scene, variants, options.memory);
     Benchmark benchmark(scene, showing.pose(), showing.camera(), variants);
+    for (const std::string& notice : benchmark.notices())
+        tell_notice(file, notice);
+    Progress progress("measured");
     benchmark.warm_up();
     const bool counted = !options.settings.frames.empty() || !settings.is_default(kFrames);
     const int rounds = counted ? settings.get(kFrames) : 0;
-    const BenchTimes times = benchmark.run(rounds, options.seconds);
+    const BenchTimes times = benchmark.run(
+        rounds, options.seconds, [&](double share) { progress.done(std::min(share, 1.0)); });
 
     const std::string& name = variants[baseline].name;
     const Facts facts = facts_of(scene, file, settings, showing.camera(), times, name);

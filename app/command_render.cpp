@@ -89,6 +89,8 @@ int render(const RenderOptions& options) {
         log.emplace();
     Pipeline pipeline(scene,
                       options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
+    for (const std::string& notice : pipeline.notices(settings))
+        tell_notice(file, notice);
     std::optional<FlickerWatch> flicker;
     if (options.flicker)
         flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);

@@ -15,6 +15,7 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/memory.h"
+#include "renderer/frame/notices.h"
 #include "renderer/gl/capabilities.h"
 #include "renderer/image/image_io.h"
 
@@ -24,6 +25,7 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
+#include <set>
 
 namespace romascope {
 namespace {
@@ -99,8 +101,27 @@ std::vector<std::unique_ptr<SplitScene>> load_scenes(const SplitOptions& options
         scenes.push_back(
             std::make_unique<SplitScene>(std::move(scene), pose, std::move(cameras),
                                          glm::ivec2(settings.get(kWidth), settings.get(kHeight))));
+        std::set<std::string> told;
+        for (const BenchVariant& variant : variants)
+            for (const std::string& notice : notices_of(variant.settings, scenes.back()->gpu()))
+                if (told.insert(notice).second)
+                    tell_notice(file, notice);
     }
     return scenes;
+}
+
+/// A scene that is named twice is asked once, or it would count twice in the sum.
+std::vector<fs::path> each_once(const std::vector<fs::path>& files) {
+    std::vector<fs::path> once;
+    for (const fs::path& file : files) {
+        const auto is_same = [&](const fs::path& other) {
+            std::error_code code;
+            return fs::equivalent(file, other, code);
+        };
+        if (std::ranges::none_of(once, is_same))
+            once.push_back(file);
+    }
+    return once;
 }
 
 /// The pictures of all variants, scenes and cameras in one.
@@ -112,14 +133,15 @@ public:
         size_t rows = 0;
         for (const auto& scene : scenes)
             rows += variants * scene->cameras().size();
+        const glm::ivec2 tile = SplitPictures::magnification(size) * size;
         const size_t needed =
-            ContactSheet::bytes_needed(rows, 1, size.x, size.y, kSplitCaptions.size());
+            ContactSheet::bytes_needed(rows, 1, tile.x, tile.y, kSplitCaptions.size());
         if (needed > memory)
             throw Error(fmt::format("--picture: {} rows of pictures need {}: choose a smaller "
                                     "--size, or fewer scenes or variants",
                                     rows, format_bytes(needed)),
                         kBadInput);
-        sheet_.emplace(rows, 1, size.x, size.y, kSplitCaptions);
+        sheet_.emplace(rows, 1, tile.x, tile.y, kSplitCaptions);
     }
     void add(const std::string& variant, const SplitScene& scene, const SplitPictures& pictures) {
         for (size_t camera = 0; camera < scene.cameras().size(); ++camera)
@@ -138,7 +160,8 @@ private:
 std::vector<SplitResult> run(std::vector<std::unique_ptr<SplitScene>>& scenes,
                              const std::vector<BenchVariant>& variants, Sheet* sheet) {
     const int frames = variants.front().settings.get(kFrames);
-    FrameProgress progress(static_cast<int>(variants.size() * scenes.size()) * frames);
+    Progress progress("asked");
+    const double all = static_cast<double>(variants.size() * scenes.size()) * frames;
     int done = 0;
     Chain chain;
     std::vector<SplitResult> results;
@@ -156,7 +179,7 @@ std::vector<SplitResult> run(std::vector<std::unique_ptr<SplitScene>>& scenes,
                     tally.add(ray);
                 if (pictures)
                     pictures->add(answers);
-                progress.done(++done);
+                progress.done(++done / all);
             }
             if (sheet)
                 sheet->add(variant.name, *scene, *pictures);
@@ -225,7 +248,7 @@ int split(const SplitOptions& options) {
     if (words.empty())
         for (const BuiltInScene& scene : built_in_scenes())
             words.push_back(scene.name);
-    const std::vector<fs::path> files = find_scenes(words);
+    const std::vector<fs::path> files = each_once(find_scenes(words));
     std::vector<fs::path> inputs = options.settings.configs;
     inputs.insert(inputs.end(), files.begin(), files.end());
     check_output_files({options.csv, options.json, options.picture}, inputs);

@@ -101,7 +101,7 @@ FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& sh
     const int frames = settings.get(kFrames);
     pipeline.restart();
     pipeline.timer().clear();
-    FrameProgress progress(frames);
+    Progress progress("frames");
     for (int frame = 0; frame < frames; ++frame) {
         if (frame == 1)
             pipeline.timer().clear(); // the first frame compiled the shaders
@@ -110,7 +110,7 @@ FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& sh
         pipeline.render(settings, showing.camera());
         if (watch)
             watch(frame);
-        progress.done(frame + 1);
+        progress.done(static_cast<double>(frame + 1) / frames);
     }
     pipeline.timer().finish();
     FrameRun run{pipeline.picture(), pipeline.timer().clock(), pipeline.timer().timings(),

@@ -18,16 +18,16 @@ void show_progress(const char* what, double fraction) {
 
 } // namespace
 
-FrameProgress::FrameProgress(int frames) : terminal_(isatty(STDERR_FILENO)), frames_(frames) {}
+Progress::Progress(const char* what) : terminal_(isatty(STDERR_FILENO)), what_(what) {}
 
-void FrameProgress::done(int frame) {
+void Progress::done(double share) {
     const auto now = std::chrono::steady_clock::now();
-    const bool last = frame == frames_;
+    const bool last = share >= 1.0;
     if (!terminal_ || (last ? !shown_ : now - told_ < std::chrono::seconds(1)))
         return;
     told_ = now;
     shown_ = true;
-    show_progress("frames", static_cast<double>(frame) / frames_);
+    show_progress(what_, share);
 }
 
 std::function<void(double)> reference_progress() {

@@ -6,16 +6,17 @@
 
 namespace romascope {
 
-/// Tells how far the frames are, on a terminal, where they take longer than one is glad to wait.
-class FrameProgress {
+/// Tells how far something is, on a terminal, where it takes longer than one is glad to wait.
+class Progress {
 public:
-    explicit FrameProgress(int frames);
-    /// `frame` frames are done.
-    void done(int frame);
+    /// `what`: a word that goes before the share; a string literal.
+    explicit Progress(const char* what);
+    /// `share` of it is done, from 0 to 1.
+    void done(double share);
 
 private:
     const bool terminal_;
-    const int frames_;
+    const char* what_;
     bool shown_ = false;
     std::chrono::steady_clock::time_point told_ = std::chrono::steady_clock::now();
 };

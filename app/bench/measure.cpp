@@ -2,9 +2,11 @@
 #include "app/bench/measure.h"
 
 #include "renderer/base/error.h"
+#include "renderer/frame/notices.h"
 #include "renderer/gl/debug.h"
 #include "renderer/passes/deform.h"
 
+#include <algorithm>
 #include <chrono>
 
 namespace romascope {
@@ -76,17 +78,32 @@ void Benchmark::warm_up() {
     for_all_timers([](PassTimer& timer) { timer.clear(); });
 }
 
-BenchTimes Benchmark::run(int rounds, double seconds) {
+std::vector<std::string> Benchmark::notices() const {
+    std::vector<std::string> all;
+    for (const Subject& subject : subjects_)
+        for (std::string& notice : notices_of(subject.settings, scene_))
+            if (std::ranges::find(all, notice) == all.end())
+                all.push_back(std::move(notice));
+    return all;
+}
+
+BenchTimes Benchmark::run(int rounds, double seconds, const std::function<void(double)>& progress) {
     BenchTimes times;
     const Clock::time_point begin = Clock::now();
-    const auto is_enough = [&] {
+    // At 1 it is enough.
+    const auto share_done = [&] {
         if (rounds > 0)
-            return times.rounds >= rounds;
-        return times.rounds >= kMostRounds ||
-               (times.rounds >= kFewestRounds && seconds_since(begin) >= seconds);
+            return double(times.rounds) / rounds;
+        const double by_time =
+            std::min(seconds_since(begin) / seconds, double(times.rounds) / kFewestRounds);
+        return std::max(by_time, double(times.rounds) / kMostRounds);
     };
-    for (; !is_enough(); ++times.rounds)
+    for (double share = 0.0; share < 1.0; share = share_done()) {
         run_round();
+        ++times.rounds;
+        if (progress)
+            progress(share_done());
+    }
     shared_timer_.finish();
     times.clock = shared_timer_.clock();
     times.empty = shared_timer_.timings().at(0);

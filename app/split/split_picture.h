@@ -17,10 +17,14 @@ inline const std::vector<std::string> kSplitCaptions = {
 /// leaks is red, that of false shadows blue, on the truth in dark grey.
 class SplitPictures {
 public:
+    /// How many pixels of a picture show one of this many, per side, so that labels fit over small
+    /// ones: an integer.
+    static int magnification(glm::ivec2 size);
+
     SplitPictures(const SplitScene& scene, glm::ivec2 size);
     /// Answers about one ray from each of the scene's points.
     void add(const std::vector<ChainAnswers>& answers);
-    /// Linear, 3 channels.
+    /// Linear, 3 channels, magnified.
     std::vector<Image> of(size_t camera) const;
 
 private:

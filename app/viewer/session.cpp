@@ -56,6 +56,8 @@ void Session::show(const std::filesystem::path& file, Scene scene) {
     loaded_ = std::move(loaded);
     for (const std::string& notice : loaded_->scene.notices)
         messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
+    for (const std::string& notice : loaded_->pipeline.notices(settings_))
+        messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
     drawn_.reset();
     frames_ = 0;
     withdraw_faults(); // of the scene before

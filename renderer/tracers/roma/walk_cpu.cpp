@@ -14,14 +14,16 @@ WalkResult walk_columns(gpu::RomaWalk walk, int iterations, int escape, int coun
     for (int i = 0; i < iterations && walk.entered < stop; ++i) {
         const float border = gpu::roma_walk_border(walk);
         const bool snapped = i == iterations - 1 && border < stop;
-        gpu::RomaSpan span =
-            bounded(gpu::roma_walk_span(walk, snapped ? walk.ends : std::min(border, stop), count));
+        const gpu::RomaSpan way =
+            gpu::roma_walk_span(walk, snapped ? walk.ends : std::min(border, stop), count);
+        gpu::RomaSpan span = bounded(way);
         std::optional<int> cell;
         if (span.first <= span.last) {
             const std::span<const uint32_t> words = column(span.column);
             const int passed = span.last - span.first + 1;
+            const bool stays = walk.forward ? span.last == way.last : span.first == way.first;
             span = escaped_on_cpu(words, span, walk.forward, std::min(escape, passed));
-            escape = span.first > span.last ? escape - passed : 0;
+            escape = span.first > span.last && stays ? escape - passed : 0;
             cell = closest_hit_in_column(words, span, walk.forward);
         } else {
             escape = 0; // free, as it is beyond the grid

@@ -37,18 +37,21 @@ float roma_unsnapped_hit(vec3 point, vec3 normal, vec3 direction, float t_max) {
             break;
         float border = roma_walk_border(walk);
         bool snapped = i == ROMA_ITERATIONS - 1 && border < stop;
-        RomaSpan span = roma_walk_span(walk, snapped ? walk.ends : min(border, stop), count);
-        span = roma_bounded(map, span);
+        RomaSpan way = roma_walk_span(walk, snapped ? walk.ends : min(border, stop), count);
+        RomaSpan span = roma_bounded(map, way);
         int cell = -1;
         if (span.first <= span.last) {
             uint words[ROMA_WORDS];
             roma_load(map, span.column, words);
 #if ROMA_ESCAPE
-            int passed = span.last - span.first + 1;
+            int first = span.first, last = span.last;
+            int passed = last - first + 1;
             int run = min(roma_run_in(words, span, walk.forward, allowed), passed);
             span = roma_escaped(span, run, walk.forward);
-            // The run goes on in the next column only if it fills this one.
-            allowed = span.first > span.last ? allowed - passed : 0;
+            // The run goes on in the next column only if it fills this one, and does not leave the
+            // grid before.
+            bool stays = walk.forward ? last == way.last : first == way.first;
+            allowed = span.first > span.last && stays ? allowed - passed : 0;
 #endif
             roma_cut(words, span, walk.forward, false);
             cell = roma_first_cell(words, walk.forward);
