@@ -3,7 +3,11 @@
 
 import csv
 import json
+import os
+import pty
+import subprocess
 
+import helper
 from helper import CliTest
 
 QUICK = ("--size", "32x24", "--set", "occupancy.resolution=32")
@@ -119,6 +123,19 @@ class Bench(CliTest):
         result = self.succeed("bench", "scene.glb", "--size", "32x24", "--seconds", "0.001",
                               "--technique", "dda")
         self.assertIn("rounds: 5,", result.stdout)  # the fewest
+
+    def test_a_terminal_sees_how_far_it_is(self):
+        terminal, stderr = pty.openpty()
+        try:
+            subprocess.run([helper.PROGRAM, "bench", "scene.glb", "--size", "32x24", "--seconds",
+                            "1.5", "--technique", "dda"], env=self.env, cwd=self.folder,
+                           stdout=subprocess.DEVNULL, stderr=stderr, check=True, timeout=60)
+            told = os.read(terminal, 4096).decode()
+        finally:
+            os.close(stderr)
+            os.close(terminal)
+        self.assertRegex(told, r"\A(\rmeasured +\d+ %)+\r\n\Z")
+        self.assertIn("100 %", told)
 
     def test_refused_before_the_work(self):
         for words, says in (
