@@ -2,6 +2,7 @@
 #include "app/commands.h"
 #include "app/common_options.h"
 #include "app/frame_run.h"
+#include "app/lag_watch.h"
 #include "app/output_files.h"
 #include "app/report.h"
 #include "app/scene_files.h"
@@ -16,8 +17,10 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <cmath>
 #include <filesystem>
 #include <memory>
+#include <utility>
 
 namespace romascope {
 namespace {
@@ -30,6 +33,7 @@ struct RenderOptions {
     SettingsOptions settings;
     SceneOptions memory;
     std::vector<std::string> path;
+    std::optional<std::pair<int, double>> jump; ///< frame, seconds
     std::optional<int> reference_samples;
     bool print_config = false;
     bool table = false;
@@ -37,6 +41,20 @@ struct RenderOptions {
     bool flicker = false;
     BackendOptions backend;
 };
+
+void check_jump(std::pair<int, double> jump, const Settings& settings, bool flies) {
+    if (jump.first < 1 || jump.first >= settings.get(kFrames))
+        throw Error(fmt::format("--jump {} {}: it needs frames before and after it: its frame is "
+                                "from 1 to {}, one below --frames",
+                                jump.first, jump.second, settings.get(kFrames) - 1),
+                    kBadInput);
+    if (!(jump.second >= 0.0) || !std::isfinite(jump.second))
+        throw Error(
+            fmt::format("--jump {} {}: a time is 0 seconds or more", jump.first, jump.second),
+            kBadInput);
+    if (flies || settings.get(kFps) != 0.0)
+        throw Error("--jump is the only change: give neither --path nor --fps", kBadInput);
+}
 
 /// What can be refused before any work is done.
 void check_outputs(const RenderOptions& options, const Settings& settings) {
@@ -56,6 +74,8 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
         throw Error("--flicker needs at least --frames 2", kBadInput);
     if (!options.path.empty() && settings.get(kFrames) < 2)
         throw Error("--path needs at least --frames 2: all frames together fly it", kBadInput);
+    if (options.jump)
+        check_jump(*options.jump, settings, !options.path.empty());
     check_tracer(settings);
     if (options.reference_samples)
         check_reference(settings, *options.reference_samples);
@@ -76,6 +96,13 @@ int render(const RenderOptions& options) {
         {options.output, options.report, options.reference_output, options.error_map}, inputs);
     Scene scene = options.memory.load(file);
     Showing showing(scene, settings, options.path);
+    if (options.jump) {
+        if (scene.motion.parts.empty())
+            throw Error(fmt::format("{}: nothing in it moves, so --jump has nothing to show",
+                                    file.string()),
+                        kBadInput);
+        showing.jump({options.jump->first, options.jump->second});
+    }
     if (showing.is_asked_in_vain())
         tell_notice(file, "has no animation: --time and --fps change nothing");
 
@@ -87,10 +114,16 @@ int render(const RenderOptions& options) {
     std::optional<DebugLog> log;
     if (options.backend.debug)
         log.emplace();
-    Pipeline pipeline(scene,
-                      options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders));
+    const auto shaders = [&] {
+        return options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders);
+    };
+    Pipeline pipeline(scene, shaders());
     for (const std::string& notice : pipeline.notices(settings))
         tell_notice(file, notice);
+    std::optional<LagWatch> lag;
+    if (options.jump && options.reference_samples)
+        lag.emplace(scene, settings, showing, options.jump->first, *options.reference_samples,
+                    !options.no_cache, shaders());
     std::optional<FlickerWatch> flicker;
     if (options.flicker)
         flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
@@ -100,6 +133,8 @@ int render(const RenderOptions& options) {
             flight(pipeline);
         if (flicker)
             (*flicker)(pipeline, frame);
+        if (lag)
+            (*lag)(pipeline, frame);
     });
     if (log && !log->messages().empty())
         throw Error(log->messages().front());
@@ -114,6 +149,8 @@ int render(const RenderOptions& options) {
     facts.timings = run.timings;
     facts.bytes = run.bytes;
     facts.counts = run.counts;
+    if (options.jump)
+        facts.jumped_to = options.jump->second;
     if (!options.path.empty()) {
         facts.flight = flight.facts();
         facts.flight->stops = showing.stops();
@@ -124,6 +161,8 @@ int render(const RenderOptions& options) {
         facts.errors = judge(truth, run.picture, samples);
         if (flicker)
             facts.errors->flicker = flicker->value();
+        if (lag)
+            facts.errors->lag = lag->value();
         if (!options.reference_output.empty())
             write_image(options.reference_output, truth.visibility);
         if (!options.error_map.empty())
@@ -172,6 +211,11 @@ Command add_render_command(CLI::App& app) {
                      "fly through cameras in turn; repeated for each, or all: those of the scene")
         ->type_name("CAMERA")
         ->allow_extra_args(false);
+    command
+        ->add_option("--jump", options->jump,
+                     "from FRAME on, counted from 0, the scene stands at another moment; with "
+                     "--reference: for how many frames pictures lag behind that")
+        ->type_name("FRAME SECONDS");
     command->add_flag("--flicker", options->flicker,
                       "with --reference: how much frames change that the truth does not");
     command->add_flag("--no-cache", options->no_cache, "compute the reference anew");

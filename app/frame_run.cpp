@@ -76,6 +76,9 @@ void Showing::go_to(int frame) {
     frame_ = frame;
     if (time_goes_on())
         pose_ = pose_of_frame(scene_, settings_, frame);
+    if (jump_ && frame == jump_->frame)
+        pose_ = pose_at(scene_.motion, find_animation(scene_, settings_.get(kAnimation)),
+                        jump_->seconds);
     camera_ = camera_of_frame();
 }
 

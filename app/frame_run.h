@@ -9,6 +9,7 @@
 #include "renderer/reference/ao_reference.h"
 
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace romascope {
@@ -17,6 +18,12 @@ namespace romascope {
 /// this program's, and the system promises more than it has and ends who uses it. `given`: the
 /// bound comes from the user, not from the machine. Throws Error.
 void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given);
+
+/// A sudden change: from a frame on, counted from 0, the scene stands at another moment.
+struct TimeJump {
+    int frame = 0;
+    double seconds = 0;
+};
 
 /// What the frames show: the pose and the camera of each in turn, made anew only as time goes on or
 /// the camera flies.
@@ -28,11 +35,13 @@ public:
     /// only.
     Showing(const Scene& scene, const Settings& settings,
             const std::vector<std::string>& stops = {});
+    /// Time stands still until that frame and from it on.
+    void jump(const TimeJump& jump) { jump_ = jump; }
     void go_to(int frame); ///< counted from 0
     /// Whether the settings ask for a time or a course of time though the scene has no animation.
     bool is_asked_in_vain() const;
     /// Whether frames differ in what they should show.
-    bool changes() const { return !stops_.empty() || time_goes_on(); }
+    bool changes() const { return !stops_.empty() || time_goes_on() || jump_; }
     const std::vector<std::string>& stops() const { return stops_; }
     const Pose& pose() const { return pose_; }
     const Camera& camera() const { return camera_; }
@@ -44,6 +53,7 @@ private:
     const Scene& scene_;
     const Settings& settings_;
     std::vector<std::string> stops_; ///< empty, or two and more
+    std::optional<TimeJump> jump_;
     int frame_ = 0;
     Pose pose_;
     Camera camera_;

@@ -33,13 +33,13 @@ Json settings_json(const Settings& settings) {
     return json;
 }
 
-Json time_json(const Scene& scene, const Settings& settings) {
+Json time_json(const Scene& scene, const Settings& settings, std::optional<double> jumped_to) {
     const int animation = find_animation(scene, settings.get(kAnimation));
     const auto& animations = scene.motion.animations;
     return {{"animation",
              animation < 0 ? Json() : Json(animations[static_cast<size_t>(animation)].name)},
             {"first_s", time_of_frame(settings, 0)},
-            {"last_s", time_of_frame(settings, settings.get(kFrames) - 1)}};
+            {"last_s", jumped_to.value_or(time_of_frame(settings, settings.get(kFrames) - 1))}};
 }
 
 Json passes_json(const ReportFacts& facts) {
@@ -78,7 +78,7 @@ std::string report_json(const ReportFacts& facts) {
     json["settings"] = settings_json(*facts.settings);
     json["scene"] = scene_summary(*facts.scene, facts.scene_file);
     json["camera"] = camera_json(facts.camera);
-    json["time"] = time_json(*facts.scene, *facts.settings);
+    json["time"] = time_json(*facts.scene, *facts.settings, facts.jumped_to);
     json["driver"] = {{"backend", facts.backend},          {"gl_version", facts.driver.version},
                       {"glsl_version", facts.driver.glsl}, {"vendor", facts.driver.vendor},
                       {"renderer", facts.driver.renderer}, {"software", facts.driver.software}};
@@ -107,6 +107,8 @@ std::string report_json(const ReportFacts& facts) {
                           {"bias", facts.errors->bias}};
         if (facts.errors->flicker)
             json["errors"]["flicker"] = *facts.errors->flicker;
+        if (facts.errors->lag)
+            json["errors"]["lag_frames"] = *facts.errors->lag;
     }
     return pretty(json);
 }
@@ -122,6 +124,8 @@ std::string error_table(const ReportErrors& errors) {
     text += fmt::format("{:<20} {:>+12.6f}\n", "signed bias", errors.bias);
     if (errors.flicker)
         text += fmt::format("{:<20} {:>12.6f}\n", "flicker", *errors.flicker);
+    if (errors.lag)
+        text += fmt::format("{:<20} {:>12}\n", "lag in frames", *errors.lag);
     return text;
 }
 

@@ -24,6 +24,7 @@ struct ReportErrors {
     bool reference_from_cache = false;
     double flip = 0, rmse = 0, mae = 0, bias = 0;
     std::optional<double> flicker; ///< see Flicker
+    std::optional<int> lag;        ///< frames, see LagWatch
 };
 
 /// What went wrong in any frame of a flight.
@@ -48,6 +49,7 @@ struct ReportFacts {
     std::vector<StructureBytes> bytes;
     std::vector<NamedCount> counts; ///< of the last frame
     std::optional<FlightFacts> flight;
+    std::optional<double> jumped_to; ///< seconds, where the time jumped
     std::optional<ReportErrors> errors;
 };
 

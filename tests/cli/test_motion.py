@@ -2,6 +2,7 @@
 """Scenes that move, from the command line."""
 
 import json
+import re
 import sys
 
 from helper import SOURCE, CliTest
@@ -58,6 +59,33 @@ class Moving(CliTest):
         self.assertEqual(self.report("--time", "0.75")["scene"], later["scene"])
         self.assertGreater(later["bytes"]["motion"], 0)
         self.assertEqual([p["n"] for p in later["passes"] if p["name"] == "deform"], [2])
+
+    def test_a_jump_shows_another_moment_from_its_frame_on(self):
+        still = ("--set", "mean.enabled=false", "--frames", "3")
+        jumped = self.at("--time", "0.25", "--jump", "1", "0.75", *still)
+        self.assertEqual(jumped, self.at("--time", "0.75", *still))
+        self.assertEqual(jumped, self.at("--time", "0.25", "--jump", "2", "0.75", *still))
+        time = self.report("--time", "0.25", "--jump", "1", "0.75", *still)["time"]
+        self.assertEqual((time["first_s"], time["last_s"]), (0.25, 0.75))
+        for words, says in ((("--jump", "3", "1"), "from 1 to 2"), (("--jump", "0", "1"), "from 1 to 2"),
+                            (("--jump", "1", "-1"), "0 seconds or more"),
+                            (("--jump", "1", "nan"), "0 seconds or more"),
+                            (("--jump", "1", "1", "--fps", "2"), "--fps")):
+            self.refuse("render", "moving.gltf", "-o", "out.png", *still, *words, says=[says])
+        self.refuse("render", "cornell", "-o", "out.png", *still, "--jump", "1", "1",
+                    says=["nothing in it moves"])
+
+    def test_lag(self):
+        def lag(*words):
+            text = self.succeed("render", "dancers", "--size", "96x54", "--time", "0.4", "--jump", "32",
+                                "1.2", "--frames", "48", "--reference", "32", "--set", "ao.radius=2",
+                                "--set", "mean.enabled=false", "--table", *words).stdout
+            return int(re.search(r"^lag in frames +([0-9]+)$", text, re.MULTILINE)[1])
+
+        self.assertEqual(lag(), 0)
+        self.assertLessEqual(lag("--technique", "roma-hash"), 8)
+        # A history that is never held to what is seen.
+        self.assertGreater(lag("--set", "temporal.enabled=true", "--set", "temporal.clamp=inf"), 8)
 
     def test_what_moves_is_told(self):
         scene = self.report()["scene"]

@@ -59,8 +59,8 @@ def elements(name, value):
 
 
 class Report(CliTest):
-    def report(self, *words):
-        self.render("out.png", "--report", "out.json", *words)
+    def report(self, *words, **options):
+        self.render("out.png", "--report", "out.json", *words, **options)
         return json.loads(self.path("out.json").read_text())
 
     def test_documented_fields(self):
@@ -69,15 +69,18 @@ class Report(CliTest):
         for words in ((), ("--technique", "roma"), ("--reference", "4"),
                       ("--reference", "4", "--flicker", "--frames", "3"),
                       ("--path", "all", "--frames", "2", "--technique", "roma-hash"),
+                      ("--reference", "4", "--jump", "1", "0.5", "--frames", "2"),
                       ("--set", "frame.view=lit", "--camera", "1,2,3/0,0,0/60"),
                       ("--set", "roma.snap=false")):
-            report = self.report(*words)
+            moves = {"scene": "dancers"} if "--jump" in words else {}
+            report = self.report(*words, **moves)
             found = {name for name, _ in fields(report)}
             # A scene need not have animations or notices.
             maybe = {name for name in documented if name.startswith(
                 ("scene.animations[]", "scene.notices[]")
                 + (() if "--reference" in words else ("errors.",))
                 + (() if "--flicker" in words else ("errors.flicker",))
+                + (() if "--jump" in words else ("errors.lag_frames",))
                 + (() if "--path" in words else ("flight.",))
                 + (() if "roma.snap=false" in words or "--path" in words else ("counts.",)))}
             self.assertEqual(found - documented.keys(), set())

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "app/lag_watch.h"
+
+#include "renderer/scene/pose.h"
+
+#include <cmath>
+
+namespace romascope {
+
+LagWatch::LagWatch(const Scene& scene, const Settings& settings, const Showing& showing, int first,
+                   int samples, bool use_cache, ShaderLibrary shaders)
+    : scene_(scene), settings_(settings), showing_(showing), first_(first), samples_(samples),
+      use_cache_(use_cache), fresh_(scene, std::move(shaders)) {}
+
+Image LagWatch::truth_now() const {
+    Scene posed = scene_;
+    apply_pose(posed, showing_.pose());
+    return truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
+}
+
+double LagWatch::error_of(const Pipeline& pipeline) const {
+    const Image picture = pipeline.picture();
+    double sum = 0;
+    for (size_t i = 0; i < truth_.data.size(); ++i)
+        if (std::abs(truth_.data[i] - before_.data[i]) >= kChange)
+            sum += std::abs(double{picture.data[i]} - double{truth_.data[i]});
+    return sum;
+}
+
+void LagWatch::operator()(const Pipeline& pipeline, int frame) {
+    if (frame + 1 == first_)
+        before_ = truth_now();
+    if (frame < first_)
+        return;
+    if (frame == first_) {
+        truth_ = truth_now();
+        fresh_.restart(static_cast<uint32_t>(frame)); // with the same random numbers
+    }
+    fresh_.set_pose(showing_.pose());
+    fresh_.render(settings_, showing_.camera());
+    if (error_of(pipeline) > kTolerated * error_of(fresh_))
+        lag_ = frame - first_ + 1;
+}
+
+} // namespace romascope
