@@ -16,7 +16,7 @@
 #include "shaders/reuse/spatial_hash/stale_cells.glsl"
 #endif
 
-layout(local_size_x = 16, local_size_y = 8) in;
+layout(local_size_x = 16, local_size_y = 16) in;
 layout(r16, binding = 0) writeonly uniform image2D visibility;
 layout(rg32ui, binding = 1) writeonly uniform uimage2D pixel_cells;
 layout(std430, binding = 3) buffer HashCounts { uint hash_counts[]; };

@@ -24,8 +24,6 @@ struct Bins {
 };
 
 Bins settle(uint slot, Bins bins) {
-    if (hash_checksums[slot] == 0u)
-        return bins;
     Cell before = load_cell(slot);
     Cell cell = settled_cell(before, frame, max_age);
     if (cell.hits != before.hits || cell.samples != before.samples)
@@ -51,10 +49,14 @@ void main() {
         group_counts[i] = 0u;
     barrier();
     uint first = gl_WorkGroupID.x * gl_WorkGroupSize.x * kSettledEach + index;
+    // These loads all begin before the first is waited for.
+    uint checksums[kSettledEach];
+    for (uint i = 0u; i < kSettledEach; ++i)
+        checksums[i] = hash_checksums[(first + i * gl_WorkGroupSize.x) & slot_mask];
     Bins bins = Bins(0u, 0u, 0u);
     for (uint i = 0u; i < kSettledEach; ++i) {
         uint slot = first + i * gl_WorkGroupSize.x;
-        if (slot <= slot_mask)
+        if (slot <= slot_mask && checksums[i] != 0u)
             bins = settle(slot, bins);
     }
     count(kCountEvictions, bins.evictions);
