@@ -20,8 +20,9 @@ layout(std430, binding = 3) buffer MovedBlocks {
 };
 uniform uint triangle_count;
 
-/// Turns of loops, well below the 65,535 after which software ends an invocation.
-int turns_left = 50000;
+/// Turns of loops that do something: half of the 65,535 after which software ends an invocation, as
+/// it counts the one that leaves a loop as well.
+int turns_left = 30000;
 
 void mark(ivec3 block) {
     int row = block.z * grid_size.y + block.y;
