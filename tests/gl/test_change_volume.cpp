@@ -60,9 +60,11 @@ TEST_F(ChangeVolumeTest, TellsBlocksWithinReachOfWhatMoved) {
         ChangeVolume volume;
         volume.begin(frame(gpu, settings_, 0, 7), 0, kReaches[0]);
         const Scene before = scene;
-        // One triangle moves, the corner of another by less than the tolerance.
-        for (int corner = 0; corner < 3; ++corner)
-            scene.positions[static_cast<size_t>(corner)] += glm::vec3(0.1f, 0.05f, 0.0f);
+        // One triangle moves into the middle, the corner of another by less than the tolerance.
+        const glm::vec3 way = -0.9f * scene.positions[0];
+        ASSERT_GT(glm::length(way), 2.0f);
+        for (size_t corner = 0; corner < 3; ++corner)
+            scene.positions[corner] += way;
         scene.positions[9] += glm::vec3(0.001f);
         move(gpu, scene);
         ASSERT_TRUE(volume.covers(scene.bounds));
