@@ -38,6 +38,7 @@ picture_test(dancers_stalls_lit_at_0_7 ARGS dancers --camera stalls --time 0.7 -
 picture_test(dancers_wing_ao_at_1_1 ARGS dancers --camera wing --time 1.1 --size 160x90 --frames 4 MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(dancers_above_normal_moving ARGS dancers --camera above --fps 24 --size 160x90 --frames 9 --set frame.view=normal MAX 2 FAILING 0.01 MEAN 0.2 REASON ${surface})
 picture_test(hall_nave_ao_hash ARGS hall --camera nave --size 160x90 --frames 16 --technique roma-hash MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
+picture_test(dancers_wing_ao_hash_jump ARGS dancers --camera wing --size 160x90 --time 0.4 --jump 12 1.2 --frames 18 --technique roma-hash MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(cornell_corner_ao_hash ARGS cornell --camera corner --size 160x90 --frames 4 --technique roma-hash --set ao.radius=inf MAX 2 FAILING 0.03 MEAN 0.5 REASON ${rays})
 picture_test(street_pavement_ao_hash_full ARGS street --camera pavement --size 160x90 --frames 4 --technique roma-hash --set hash.capacity=10 MAX 255 FAILING 0 MEAN 3 REASON "which pixels find room in a full table depends on the order in which they ask")
 
