@@ -108,9 +108,10 @@ int render(const RenderOptions& options) {
 
     const std::unique_ptr<Context> context = options.backend.make_context();
     const DriverFacts driver = query_driver();
+    const bool judges_lag = options.jump && options.reference_samples;
     if (driver.software)
         check_memory(scene, settings, options.memory.left_beside(scene),
-                     options.memory.max_memory.has_value());
+                     options.memory.max_memory.has_value(), judges_lag ? 2 : 1);
     std::optional<DebugLog> log;
     if (options.backend.debug)
         log.emplace();
@@ -121,7 +122,7 @@ int render(const RenderOptions& options) {
     for (const std::string& notice : pipeline.notices(settings))
         tell_notice(file, notice);
     std::optional<LagWatch> lag;
-    if (options.jump && options.reference_samples)
+    if (judges_lag)
         lag.emplace(scene, settings, showing, options.jump->first, *options.reference_samples,
                     !options.no_cache, shaders());
     std::optional<FlickerWatch> flicker;

@@ -26,7 +26,8 @@ constexpr size_t kBytesPerPixel = 45, kComposedBytesPerPixel = 80;
 
 } // namespace
 
-void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given) {
+void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given,
+                  size_t pipelines) {
     const int width = settings.get(kWidth), height = settings.get(kHeight);
     const bool composed = !is_visibility(settings.get(kView));
     const size_t pixels = size_t{1} * static_cast<size_t>(width) * static_cast<size_t>(height);
@@ -42,14 +43,15 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
         triangles += scene.positions.size() * sizeof(glm::vec3); // where they were before
     if (moves && SpatialHash::is_used(settings))
         triangles += ChangeVolume::bytes_needed(scene.motion.rest_positions.size());
-    const size_t needed = picture + structures + triangles;
+    const size_t needed = pipelines * (picture + structures + triangles);
     if (needed > left)
         throw Error(
-            fmt::format("a picture of {}x{} ({}), the structures of '{}' ({}) and the scene ({}) "
+            fmt::format("a picture of {}x{} ({}), the structures of '{}' ({}) and the scene ({}){} "
                         "need about {} on this software renderer, {} are {}: choose a smaller "
                         "--size, smaller structures or a larger --max-memory",
                         width, height, format_bytes(picture), tracer, format_bytes(structures),
-                        format_bytes(triangles), format_bytes(needed), format_bytes(left),
+                        format_bytes(triangles), pipelines > 1 ? ", all twice," : "",
+                        format_bytes(needed), format_bytes(left),
                         given ? "left of --max-memory" : "free"),
             given ? kBadInput : 1);
 }

@@ -16,8 +16,10 @@ namespace romascope {
 
 /// Refuses frames that would take more memory than is left: on a software renderer all of it is
 /// this program's, and the system promises more than it has and ends who uses it. `given`: the
-/// bound comes from the user, not from the machine. Throws Error.
-void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given);
+/// bound comes from the user, not from the machine. `pipelines`: that render the scene side by
+/// side. Throws Error.
+void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given,
+                  size_t pipelines = 1);
 
 /// A sudden change: from a frame on, counted from 0, the scene stands at another moment.
 struct TimeJump {

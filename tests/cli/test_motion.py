@@ -84,6 +84,8 @@ class Moving(CliTest):
 
         self.assertEqual(lag(), 0)
         self.assertLessEqual(lag("--technique", "roma-hash"), 8)
+        self.refuse("render", "dancers", "-o", "out.png", "--size", "1000x1000", "--jump", "1", "1",
+                    "--frames", "2", "--reference", "1", "--max-memory", "100MiB", says=["all twice"])
         # A history that is never held to what is seen.
         self.assertGreater(lag("--set", "temporal.enabled=true", "--set", "temporal.clamp=inf"), 8)
 
