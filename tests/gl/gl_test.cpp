@@ -92,12 +92,20 @@ void leave_all_own_cells(Settings& settings) {
     settings.set(kRomaEscape, 0);
 }
 
-Texture upload_grid(const BitGrid& grid) {
-    const glm::ivec3 texels(grid.size().x, grid.size().y, grid.words_per_column());
-    Texture texture("test grid", GL_TEXTURE_3D, GL_R32UI, texels);
-    glTextureSubImage3D(texture.id(), 0, 0, 0, 0, texels.x, texels.y, texels.z, GL_RED_INTEGER,
-                        GL_UNSIGNED_INT, grid.words().data());
-    return texture;
+BaseMap upload_base(const BitGrid& grid, BaseStore store) {
+    BaseMap map(store, grid.size());
+    if (store == BaseStore::texture) {
+        const glm::ivec3 texels = map.texture().size();
+        glTextureSubImage3D(map.texture().id(), 0, 0, 0, 0, texels.x, texels.y, texels.z,
+                            GL_RED_INTEGER, GL_UNSIGNED_INT, grid.words().data());
+    } else {
+        const Buffer given = Buffer::from("test words", std::span<const uint32_t>(grid.words()));
+        map.words().bind_storage(0);
+        glBindBuffer(GL_COPY_READ_BUFFER, given.id());
+        glCopyBufferSubData(GL_COPY_READ_BUFFER, GL_SHADER_STORAGE_BUFFER, 0, 0,
+                            static_cast<GLsizeiptr>(given.bytes()));
+    }
+    return map;
 }
 
 } // namespace romascope

@@ -47,6 +47,6 @@ glm::vec3 random_direction(std::mt19937& random);
 void leave_all_own_cells(Settings& settings);
 
 /// The grid as the occupancy map's texture holds it.
-Texture upload_grid(const BitGrid& grid);
+BaseMap upload_base(const BitGrid& grid, BaseStore store);
 
 } // namespace romascope

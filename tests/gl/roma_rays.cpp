@@ -52,7 +52,8 @@ void AlignedMapsTest::align_random_grid(glm::ivec3 size, double density, unsigne
     bounds_.add(grid_.origin + grid_.cell_size * glm::vec3(size));
     const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
     const GpuScene gpu_scene(any);
-    tracer_.align(frame(gpu_scene, settings_, seed, seed * 7), upload_grid(base_), grid_, bounds_);
+    tracer_.align(frame(gpu_scene, settings_, seed, seed * 7),
+                  upload_base(base_, RomaTracer::store_for(settings_)), grid_, bounds_);
 }
 
 std::vector<RomaTestRay> AlignedMapsTest::random_rays(int count) {

@@ -39,7 +39,7 @@ protected:
     void prepare(const Case& c, unsigned seed) {
         random_.seed(seed);
         base_ = random_grid(c.size, c.density, random_);
-        texture_ = upload_grid(base_);
+        map_ = upload_base(base_, BaseStore::texture);
         grid_.size = c.size;
         grid_.cell_size = 0.173f;
         grid_.origin = {-3.7f, 1.1f, 20.0f};
@@ -77,7 +77,7 @@ protected:
     std::vector<glm::vec2> trace(GridTracer& tracer, const std::vector<TestRay>& rays) {
         const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
         const GpuScene scene(any);
-        tracer.take(frame(scene, settings_), texture_, grid_);
+        tracer.take(frame(scene, settings_), map_.texture(), grid_);
         return trace_rays(shaders_, tracer, settings_, rays);
     }
 
@@ -173,7 +173,7 @@ protected:
     std::mt19937 random_;
     Settings settings_{all_knobs()};
     BitGrid base_;
-    Texture texture_;
+    BaseMap map_;
     OccupancyGrid grid_;
 };
 

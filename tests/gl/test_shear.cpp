@@ -48,8 +48,10 @@ TEST_P(ShearCases, MapsEqualTheirTwinBitForBit) {
     for (const Invocations invocations : {Invocations::few, Invocations::many}) {
         settings_.set(kRomaInvocations, invocations);
         prepare(GetParam(), 11);
-        const ShearPackings packings = shear_packings(grid_.size, shear_guard(GetParam().taps));
-        EXPECT_EQ(tracer_.shearing().download_packings(), pack_on_cpu(base_, packings));
+        if (invocations == Invocations::few) {
+            const ShearPackings packings = shear_packings(grid_.size, shear_guard(GetParam().taps));
+            EXPECT_EQ(tracer_.shearing().download_packings(), pack_on_cpu(base_, packings));
+        }
         size_t set = 0;
         for (size_t map = 0; map < maps_.size(); ++map) {
             const std::vector<uint32_t> words =
@@ -115,17 +117,16 @@ INSTANTIATE_TEST_SUITE_P(
     });
 
 TEST_F(ShearTest, MemoryIsThatOfTheCellsAndGrowsOnly) {
+    settings_.set(kRomaInvocations, Invocations::many);
     prepare({{128, 20, 30}, 128, 4, 1, 0.05}, 5);
-    const ShearPackings packings = shear_packings(grid_.size, 0);
     size_t texels = 0;
     for (size_t map = 0; map < maps_.size(); ++map)
         texels += static_cast<size_t>(shears().size(map).x) * shears().size(map).y;
     EXPECT_EQ(shears().texels, texels); // 128 bits in each
     // The most columns for 128 slices, and the farthest below and above that a ray may ask for.
     const size_t places = 16 * 2 * (30 + 2 * (128 + 4) + 1);
-    EXPECT_EQ(tracer_.shearing().bytes(), 16 * texels + 4 * shear_packing_words(packings) +
-                                              4 * places + sizeof(gpu::ShearGrid) +
-                                              16 * sizeof(gpu::ShearMap));
+    EXPECT_EQ(tracer_.shearing().bytes(),
+              16 * texels + 8 * places + sizeof(gpu::ShearGrid) + 16 * sizeof(gpu::ShearMap));
     // Other candidates have other axes, so other columns: no smaller buffer, no other map.
     const size_t before = tracer_.shearing().bytes();
     for (unsigned seed = 6; seed < 12; ++seed) {
@@ -141,7 +142,8 @@ TEST_F(ShearTest, TheAlignmentCanChangeFromFrameToFrame) {
     settings_.set(kRomaAlignment, RomaAlignment::rotate);
     const Scene any = scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f));
     const GpuScene gpu_scene(any);
-    tracer_.align(frame(gpu_scene, settings_), upload_grid(base_), grid_, bounds_);
+    tracer_.align(frame(gpu_scene, settings_), upload_base(base_, BaseStore::texture), grid_,
+                  bounds_);
     EXPECT_EQ(tracer_.rotation().directions().size(), 16u);
     EXPECT_TRUE(shears().maps.empty()); // what is not used holds no memory
     settings_.set(kRomaAlignment, RomaAlignment::shear);

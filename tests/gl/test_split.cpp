@@ -221,14 +221,14 @@ TEST_F(SplitTest, AListOfRaysIsWhatTheTwinSays) {
     bounds.add(grid.origin + 0.05f);
     bounds.add(grid.origin + grid.cell_size * glm::vec3(base.size()) - 0.05f);
     const GpuScene any(scene_of_triangles(rectangle({0, 0, 0}, {0, 1, 0}, 1.0f)));
-    const Texture texture = upload_grid(base);
     settings_.set(kOccupancyResolution, 40);
     settings_.set(kRomaEscape, 1);
     RayList list;
     for (const RomaAlignment alignment : {RomaAlignment::rotate, RomaAlignment::shear}) {
         settings_.set(kRomaAlignment, alignment);
         RomaTracer tracer;
-        tracer.align(frame(any, settings_), texture, grid, bounds);
+        tracer.align(frame(any, settings_), upload_base(base, RomaTracer::store_for(settings_)),
+                     grid, bounds);
         const std::vector<int> strata = strata_along_curve(4);
         std::vector<ListedRay> rays;
         std::uniform_real_distribution<float> unit(0.0f, 1.0f);

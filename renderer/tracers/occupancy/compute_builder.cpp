@@ -16,26 +16,28 @@ int columns_in_place(bool many) { return many ? 8 : 256; }
 /// A GPU takes so few triangles for large ones without asking: to find that out takes longer.
 constexpr size_t kFewTriangles = 48;
 
-ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked) {
+ShaderVariant variant(const char* name, const char* file, OccupancyCoverage coverage, bool masked,
+                      BaseStore store) {
     return {name,
             {{GL_COMPUTE_SHADER, file}},
             {{"CONSERVATIVE", coverage == OccupancyCoverage::conservative ? "1" : "0"},
-             {"ALPHA_MASK", masked ? "1" : "0"}},
+             {"ALPHA_MASK", masked ? "1" : "0"},
+             BaseMap::define(store)},
             {}};
 }
 
-ShaderVariant small_variant(OccupancyCoverage coverage, bool masked, bool many) {
+ShaderVariant small_variant(OccupancyCoverage coverage, bool masked, bool many, BaseStore store) {
     return variant("occupy small",
                    many ? "tracers/occupancy/occupy_group.comp.glsl"
                         : "tracers/occupancy/occupy_small.comp.glsl",
-                   coverage, masked);
+                   coverage, masked, store);
 }
 
-ShaderVariant large_variant(OccupancyCoverage coverage, bool masked, bool many) {
+ShaderVariant large_variant(OccupancyCoverage coverage, bool masked, bool many, BaseStore store) {
     return variant("occupy large",
                    many ? "tracers/occupancy/occupy_large_group.comp.glsl"
                         : "tracers/occupancy/occupy_large.comp.glsl",
-                   coverage, masked);
+                   coverage, masked, store);
 }
 
 void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene& scene) {
@@ -55,7 +57,7 @@ std::string ComputeBuilder::refusal(const GpuScene& scene) {
 }
 
 void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
-                           const Texture& map) {
+                           const BaseMap& map) {
     if (work_list_.bytes() == 0) {
         constexpr gpu::WorkListHead kEmpty[2] = {{0, 1, 1, 0}, {0, 1, 1, 0}};
         work_list_ = Buffer("work list", bytes_needed());
@@ -72,18 +74,20 @@ void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
         size_t end = i, count = 0;
         for (; end < groups.size() && groups[end].masked == groups[i].masked; ++end)
             count += groups[end].count;
-        run(frame, grid, groups[i].masked, groups[i].first, count);
+        run(frame, grid, map.store(), groups[i].masked, groups[i].first, count);
         i = end;
     }
 }
 
-void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, bool masked,
-                         size_t first, size_t count) {
+void ComputeBuilder::run(const FrameContext& frame, const OccupancyGrid& grid, BaseStore store,
+                         bool masked, size_t first, size_t count) {
     const OccupancyCoverage coverage = frame.settings.get(kOccupancyCoverage);
     const bool many = wants_many(frame.settings.get(kOccupancyInvocations));
     Programs& programs = masked ? masked_ : plain_;
-    const Program& small = programs.small.get(frame.shaders, small_variant(coverage, masked, many));
-    const Program& large = programs.large.get(frame.shaders, large_variant(coverage, masked, many));
+    const Program& small =
+        programs.small.get(frame.shaders, small_variant(coverage, masked, many, store));
+    const Program& large =
+        programs.large.get(frame.shaders, large_variant(coverage, masked, many, store));
     if (masked) {
         frame.scene.surfaces().bind();
         // A block must have a buffer even where it is not read.
@@ -129,14 +133,13 @@ size_t ComputeBuilder::bytes_needed() {
 std::vector<ShaderVariant> ComputeBuilder::variants() {
     std::vector<ShaderVariant> all;
     for (const OccupancyCoverage coverage :
-         {OccupancyCoverage::thin, OccupancyCoverage::conservative}) {
-        for (const bool masked : {false, true}) {
-            for (const bool many : {false, true}) {
-                all.push_back(small_variant(coverage, masked, many));
-                all.push_back(large_variant(coverage, masked, many));
-            }
-        }
-    }
+         {OccupancyCoverage::thin, OccupancyCoverage::conservative})
+        for (const bool masked : {false, true})
+            for (const bool many : {false, true})
+                for (const BaseStore store : {BaseStore::texture, BaseStore::buffer}) {
+                    all.push_back(small_variant(coverage, masked, many, store));
+                    all.push_back(large_variant(coverage, masked, many, store));
+                }
     return all;
 }
 

@@ -3,7 +3,7 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/passes/frame_context.h"
-#include "renderer/tracers/occupancy/bit_grid.h"
+#include "renderer/tracers/occupancy/base_map.h"
 #include "renderer/tracers/occupancy/occupancy_knobs.h"
 
 #include <string>
@@ -26,7 +26,7 @@ public:
     static bool takes(const GpuScene& scene) { return refusal(scene).empty(); }
 
     /// Adds the scene's cells to `map`.
-    void build(const FrameContext& frame, const OccupancyGrid& grid, const Texture& map);
+    void build(const FrameContext& frame, const OccupancyGrid& grid, const BaseMap& map);
 
     size_t bytes() const { return work_list_.bytes(); }
     /// What bytes() are once built.
@@ -37,8 +37,8 @@ private:
     struct Programs {
         ProgramSlot small, large;
     };
-    void run(const FrameContext& frame, const OccupancyGrid& grid, bool masked, size_t first,
-             size_t count);
+    void run(const FrameContext& frame, const OccupancyGrid& grid, BaseStore store, bool masked,
+             size_t first, size_t count);
 
     Programs plain_, masked_;
     Buffer work_list_; ///< two WorkListHead, entries

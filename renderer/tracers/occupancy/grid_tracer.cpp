@@ -4,8 +4,8 @@
 namespace romascope {
 
 void GridTracer::build(const FrameContext& frame) {
-    occupancy_.build(frame);
-    take(frame, occupancy_.texture(), occupancy_.grid());
+    occupancy_.build(frame, BaseStore::texture);
+    take(frame, occupancy_.map().texture(), occupancy_.grid());
 }
 
 std::vector<ShaderDefine> GridTracer::shader_defines(const Settings& settings) const {
@@ -39,7 +39,7 @@ size_t GridTracer::bytes_needed(const Settings& settings) const {
 
 std::vector<ShaderVariant> GridTracer::build_variants(const Settings&) const {
     std::vector<ShaderVariant> variants = OccupancyMap::variants();
-    variants.push_back(OccupancySlice::variant());
+    variants.push_back(OccupancySlice::variant(BaseStore::texture));
     return variants;
 }
 

@@ -26,13 +26,12 @@ std::vector<const KnobBase*> occupancy_knobs() {
             &kOccupancyCoverage,   &kOccupancyAxes,   &kOccupancyInvocations};
 }
 
-void OccupancyMap::build(const FrameContext& frame) {
+void OccupancyMap::build(const FrameContext& frame, BaseStore store) {
     const int resolution = frame.settings.get(kOccupancyResolution);
     const auto amount = static_cast<float>(frame.settings.get(kOccupancyJitter));
     grid_ = OccupancyGrid::fit(frame.scene.bounds(), resolution, jitter_of_frame(frame, amount));
-    const glm::ivec3 texels(grid_.size.x, grid_.size.y, (grid_.size.z + 31) / 32);
-    if (texture_.size() != texels)
-        texture_ = Texture("occupancy map", GL_TEXTURE_3D, GL_R32UI, texels);
+    if (map_.cells() != grid_.size || map_.store() != store)
+        map_ = BaseMap(store, grid_.size);
     const bool in_compute = frame.settings.get(kOccupancyBuilder) == OccupancyBuilder::compute &&
                             ComputeBuilder::takes(frame.scene);
     if (!in_compute)
@@ -41,13 +40,15 @@ void OccupancyMap::build(const FrameContext& frame) {
     auto pass =
         in_compute ? frame.timer.compute("occupancy map") : frame.timer.raster("occupancy map");
     pass.repeat([&] {
-        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT); // the last frame's atomics come before
-        texture_.clear_uint(0);
+        // The last frame's atomics come before.
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        map_.clear();
         if (in_compute)
-            compute_.build(frame, grid_, texture_);
+            compute_.build(frame, grid_, map_);
         else
-            raster_.build(frame, grid_, texture_);
-        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+            raster_.build(frame, grid_, map_);
+        glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT |
+                        GL_SHADER_STORAGE_BARRIER_BIT);
     });
 }
 
@@ -68,7 +69,5 @@ std::vector<ShaderVariant> OccupancyMap::variants() {
         all.push_back(std::move(variant));
     return all;
 }
-
-BitGrid OccupancyMap::download() const { return BitGrid(grid_.size, texture_.download_uint(1)); }
 
 } // namespace romascope

@@ -12,16 +12,15 @@ std::vector<const KnobBase*> occupancy_knobs();
 /// whichever side of it and without what masks leave out. Memory depends on the resolution alone.
 class OccupancyMap {
 public:
-    void build(const FrameContext& frame);
+    void build(const FrameContext& frame, BaseStore store = BaseStore::texture);
 
     const OccupancyGrid& grid() const { return grid_; }
-    /// R32UI, (size.x, size.y, ceil(size.z / 32)), whoever built it.
-    const Texture& texture() const { return texture_; }
-    StructureBytes bytes() const { return {"occupancy map", texture_.bytes() + compute_.bytes()}; }
+    const BaseMap& map() const { return map_; }
+    StructureBytes bytes() const { return {"occupancy map", map_.bytes() + compute_.bytes()}; }
     /// What `bytes()` can come to at most under these settings: for a scene like a cube.
     static size_t bytes_needed(const Settings& settings);
     /// Copies the map to the CPU, for tests and for views.
-    BitGrid download() const;
+    BitGrid download() const { return map_.download(); }
 
     /// All programs of the build, whatever the settings.
     static std::vector<ShaderVariant> variants();
@@ -30,7 +29,7 @@ private:
     RasterBuilder raster_;
     ComputeBuilder compute_;
     OccupancyGrid grid_;
-    Texture texture_;
+    BaseMap map_;
 };
 
 } // namespace romascope

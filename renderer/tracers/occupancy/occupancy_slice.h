@@ -15,7 +15,7 @@ public:
 
     /// `picture`: RGBA32F.
     void draw(const FrameContext& frame, const OccupancyMap& map, const Texture& picture);
-    static ShaderVariant variant();
+    static ShaderVariant variant(BaseStore store);
 
 private:
     ProgramSlot program_;

@@ -8,18 +8,18 @@
 namespace romascope {
 namespace {
 
-ShaderVariant variant(bool masked) {
+ShaderVariant variant(bool masked, BaseStore store) {
     return {masked ? "voxelize masked" : "voxelize",
             {{GL_VERTEX_SHADER, "tracers/occupancy/voxelize.vert.glsl"},
              {GL_FRAGMENT_SHADER, "tracers/occupancy/voxelize.frag.glsl"}},
-            {{"ALPHA_MASK", masked ? "1" : "0"}},
+            {{"ALPHA_MASK", masked ? "1" : "0"}, BaseMap::define(store)},
             {}};
 }
 
 } // namespace
 
 void RasterBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
-                          const Texture& map) {
+                          const BaseMap& map) {
     const int side = std::max({grid.size.x, grid.size.y, grid.size.z});
     if (framebuffer_side_ != side) {
         framebuffer_ = Framebuffer("occupancy map", glm::ivec2(side));
@@ -27,8 +27,9 @@ void RasterBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
     }
     const GpuScene& scene = frame.scene;
     const bool any_masked = std::ranges::any_of(scene.groups(), &TriangleGroup::masked);
-    const Program& plain = program_.get(frame.shaders, variant(false));
-    const Program& masked = any_masked ? masked_program_.get(frame.shaders, variant(true)) : plain;
+    const Program& plain = program_.get(frame.shaders, variant(false, map.store()));
+    const Program& masked =
+        any_masked ? masked_program_.get(frame.shaders, variant(true, map.store())) : plain;
 
     framebuffer_.bind();
     glDisable(GL_DEPTH_TEST);
@@ -51,6 +52,9 @@ void RasterBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,
     }
 }
 
-std::vector<ShaderVariant> RasterBuilder::variants() { return {variant(false), variant(true)}; }
+std::vector<ShaderVariant> RasterBuilder::variants() {
+    return {variant(false, BaseStore::texture), variant(true, BaseStore::texture),
+            variant(false, BaseStore::buffer), variant(true, BaseStore::buffer)};
+}
 
 } // namespace romascope

@@ -3,7 +3,7 @@
 
 #include "renderer/gl/program.h"
 #include "renderer/passes/frame_context.h"
-#include "renderer/tracers/occupancy/bit_grid.h"
+#include "renderer/tracers/occupancy/base_map.h"
 
 namespace romascope {
 
@@ -13,7 +13,7 @@ namespace romascope {
 class RasterBuilder {
 public:
     /// Adds the scene's cells to `map`.
-    void build(const FrameContext& frame, const OccupancyGrid& grid, const Texture& map);
+    void build(const FrameContext& frame, const OccupancyGrid& grid, const BaseMap& map);
 
     static std::vector<ShaderVariant> variants();
 

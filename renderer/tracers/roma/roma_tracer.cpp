@@ -31,12 +31,16 @@ std::vector<const KnobBase*> roma_knobs() {
 
 std::unique_ptr<Tracer> make_roma_tracer() { return std::make_unique<RomaTracer>(); }
 
-void RomaTracer::build(const FrameContext& frame) {
-    occupancy_.build(frame);
-    align(frame, occupancy_.texture(), occupancy_.grid(), frame.scene.bounds());
+BaseStore RomaTracer::store_for(const Settings& settings) {
+    return is_sheared(settings) ? BaseStore::buffer : BaseStore::texture;
 }
 
-void RomaTracer::align(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+void RomaTracer::build(const FrameContext& frame) {
+    occupancy_.build(frame, store_for(frame.settings));
+    align(frame, occupancy_.map(), occupancy_.grid(), frame.scene.bounds());
+}
+
+void RomaTracer::align(const FrameContext& frame, const BaseMap& base, const OccupancyGrid& grid,
                        const Bounds& bounds) {
     const Settings& settings = frame.settings;
     candidates_ = candidate_directions(settings.get(kRomaAngularResolution),
@@ -44,12 +48,12 @@ void RomaTracer::align(const FrameContext& frame, const Texture& base, const Occ
     alignment_ = settings.get(kRomaAlignment);
     if (is_sheared(settings)) {
         rotation_ = {};
-        shearing_.build(frame, base, grid, candidates_);
+        shearing_.build(frame, base.words(), grid, candidates_);
         for (size_t map = 0; map < candidates_.size(); ++map)
             candidates_[map] = shearing_.frame().along(map); // its slopes are rounded
     } else {
         shearing_ = {};
-        rotation_.build(frame, base, grid, bounds, candidates_);
+        rotation_.build(frame, base.texture(), grid, bounds, candidates_);
     }
     const double cell = is_sheared(settings) ? double(grid.cell_size)
                                              : enclosing_cell(bounds, grid.cell_size,
@@ -135,7 +139,7 @@ size_t RomaTracer::bytes_needed(const Settings& settings) const {
 
 std::vector<ShaderVariant> RomaTracer::build_variants(const Settings& settings) const {
     std::vector<ShaderVariant> variants = OccupancyMap::variants();
-    variants.push_back(OccupancySlice::variant());
+    variants.push_back(OccupancySlice::variant(store_for(settings)));
     variants.push_back(MapView::variant(settings, *this));
     for (ShaderVariant& variant :
          is_sheared(settings) ? Shearing::variants(settings) : Rotation::variants(settings))

@@ -32,8 +32,10 @@ public:
     void draw_view(const FrameContext& frame, std::string_view view,
                    const Texture& picture) override;
 
-    /// Aligns a given base map: build() without the rasterising.
-    void align(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+    /// What the base map is wanted in.
+    static BaseStore store_for(const Settings& settings);
+    /// Aligns a given base map, stored so: build() without the rasterising.
+    void align(const FrameContext& frame, const BaseMap& base, const OccupancyGrid& grid,
                const Bounds& bounds);
 
     // What was built, for tests and for views.

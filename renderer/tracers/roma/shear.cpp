@@ -68,6 +68,7 @@ ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGr
         shared.first_word[axis] = static_cast<int>(packing.first_word);
         shared.row_words[axis] = packing.row_words;
     }
+    shared.first_word.w = static_cast<int>(directions.size());
     shared.row_words.w = shear_table_places(grid.size, guard);
     constexpr double kOne = 1 << gpu::kShearFractionBits;
     const auto slices_per_cell = [](int steps) {
@@ -80,12 +81,18 @@ ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGr
         const glm::ivec2 slope(glm::floor(exact * kOne + 0.5));
         const glm::dvec2 rounded = glm::dvec2(slope) / kOne;
         const double metres = std::sqrt(1.0 + glm::dot(rounded, rounded)) * grid.cell_size;
+        const glm::ivec3 size = gpu::shear_size(shared, axes.m);
+        const glm::vec2 farthest =
+            glm::vec2(size) + static_cast<float>(gpu::shear_farthest(size.z));
+        const auto entry = [&](int axis) {
+            return gpu::shear_first_entry(shared, static_cast<int>(frame.maps.size()), axis,
+                                          size.z);
+        };
         frame.maps.push_back(
             {glm::ivec4(slope, axes.m, static_cast<int>(frame.texels)),
-             glm::vec4(slices_per_cell(slope.x), slices_per_cell(slope.y), 1.0 / metres, metres)});
-        const ShearPacking& packing = packings[static_cast<size_t>(axes.m)];
-        frame.texels += static_cast<size_t>(packing.columns.x) *
-                        static_cast<size_t>(packing.columns.y) *
+             glm::vec4(slices_per_cell(slope.x), slices_per_cell(slope.y), 1.0 / metres, metres),
+             glm::vec4(rounded, farthest), glm::ivec4(entry(0), entry(1), size.z, axes.m)});
+        frame.texels += static_cast<size_t>(size.x) * static_cast<size_t>(size.y) *
                         static_cast<size_t>(texels_per_column);
     }
     frame.places = 2 * frame.maps.size() * static_cast<size_t>(shared.row_words.w);

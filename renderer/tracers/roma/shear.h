@@ -12,11 +12,12 @@
 
 namespace romascope {
 
-/// The axes of a map by the axis its slices are counted along: bits of a packed row lie along p.
+/// The axes of a map by the axis its slices are counted along: rows of cells lie along p, which is
+/// that of the base map's bits unless its slices are.
 struct ShearAxes {
     int p, q, m;
     explicit ShearAxes(int dominant)
-        : p(dominant == 0 ? 1 : 0), q(dominant == 2 ? 1 : 2), m(dominant) {}
+        : p(dominant == 2 ? 0 : 2), q(dominant == 1 ? 0 : 1), m(dominant) {}
 };
 
 /// The base map packed for slices along one axis. Bit b of word w of row q in slice k is the cell

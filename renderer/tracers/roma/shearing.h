@@ -12,7 +12,7 @@ namespace romascope {
 class Shearing {
 public:
     /// `base`: the base occupancy map of this grid.
-    void build(const FrameContext& frame, const Texture& base, const OccupancyGrid& grid,
+    void build(const FrameContext& frame, const TexelBuffer& base, const OccupancyGrid& grid,
                std::span<const glm::dvec3> candidates);
 
     /// For sheared_maps.glsl: texture units 4 and 5, storage block 4 and uniform block 5.
@@ -30,17 +30,21 @@ public:
     const ShearFrame& frame() const { return frame_; }
     /// Words of map `index`, ordered as ShearedMap has them.
     std::vector<uint32_t> download_map(int index) const;
+    /// Of the base map, where there are any: after few invocations.
     std::vector<uint32_t> download_packings() const;
 
 private:
-    void pack(const FrameContext& frame, const Texture& base, glm::ivec3 size, bool many);
+    /// `size`: of the base map, cells. Everything that both ways need is bound.
+    void shear_at_once(const FrameContext& frame, const Program& program, const TexelBuffer& base,
+                       glm::ivec3 size);
+    void shear_by_blocks(const FrameContext& frame, const Program& program, const TexelBuffer& base,
+                         glm::ivec3 size);
 
     ShearFrame frame_;
     ColumnLayout layout_{};
-    size_t packing_words_ = 0;
     ProgramSlot pack_program_, shear_program_;
-    TexelBuffer packed_rows_; ///< R32UI; a frame's may be longer than the next one's
-    TexelBuffer places_;      ///< R32UI, the table of places; likewise
+    TexelBuffer packed_rows_; ///< R32UI; a frame's may be longer than the next one's; none if many
+    TexelBuffer places_;      ///< RG32UI, the table of places; likewise longer
     Buffer grid_buffer_;      ///< std140 ShearGrid
     Buffer map_buffer_;       ///< std430 ShearMap[]
     /// Grows to what the frames so far needed at most: which axes the candidates of a frame have,

@@ -3,7 +3,7 @@
 //
 // In:   positions, a texel a vertex; indices, a texel a triangle; with ALPHA_MASK materials,
 //       texels, texcoords, colors, vertex_materials too
-// Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// Out:  base_map R32UI, see base_map.glsl
 // Host: grid_origin (metres), cells_per_metre, grid_size (cells); CONSERVATIVE 0 or 1: coverage;
 //       ALPHA_MASK 0 or 1: leave out what the mask leaves out; with it has_texcoords, has_colors
 #include "shaders/tracers/occupancy/triangle_cells.h"
@@ -18,10 +18,11 @@ uniform bool has_colors;
 #endif
 layout(binding = 0) uniform samplerBuffer positions;
 layout(binding = 1) uniform usamplerBuffer indices;
-layout(r32ui, binding = 0) uniform uimage3D base_map;
 uniform vec3 grid_origin;
 uniform float cells_per_metre;
 uniform ivec3 grid_size;
+#include "shaders/tracers/occupancy/base_map.glsl"
+layout(r32ui, binding = 0) uniform BASE_MAP_IMAGE base_map;
 
 const bool kConservative = CONSERVATIVE != 0;
 
@@ -84,21 +85,21 @@ bool occupied(CellTriangle t, ivec3 cell) {
 #endif
 }
 
-// Cells of one texel are gathered and stored together.
-ivec3 open_texel = ivec3(-1);
+// Cells of one word are gathered and stored together.
+BASE_MAP_PLACE open_word = BASE_MAP_PLACE(-1);
 uint open_bits = 0u;
 
-void close_texel() {
+void close_word() {
     if (open_bits != 0u)
-        imageAtomicOr(base_map, open_texel, open_bits);
+        imageAtomicOr(base_map, open_word, open_bits);
     open_bits = 0u;
 }
 
 void mark(ivec3 cell) {
-    ivec3 texel = ivec3(cell.xy, cell.z >> 5);
-    if (texel != open_texel) {
-        close_texel();
-        open_texel = texel;
+    BASE_MAP_PLACE word = place_in_base_map(cell);
+    if (word != open_word) {
+        close_word();
+        open_word = word;
     }
     open_bits |= 1u << (cell.z & 31);
 }

@@ -86,5 +86,5 @@ void main() {
         }
         mark_column(t, column - first);
     }
-    close_texel();
+    close_word();
 }

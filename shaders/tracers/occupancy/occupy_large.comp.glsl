@@ -19,5 +19,5 @@ void main() {
     uint strip = piece * kStripsPerPiece + gl_LocalInvocationIndex;
     if (strip < strip_count(t))
         mark_strip(t, strip);
-    close_texel();
+    close_word();
 }

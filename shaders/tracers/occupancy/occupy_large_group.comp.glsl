@@ -30,5 +30,5 @@ void main() {
         return;
     for (uint column = piece * kGroupTriangles + gl_LocalInvocationIndex; column < columns; column += pieces * kGroupTriangles)
         mark_column(t, column);
-    close_texel();
+    close_word();
 }

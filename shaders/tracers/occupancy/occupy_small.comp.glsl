@@ -44,5 +44,5 @@ void main() {
     }
     for (; strip < strips; ++strip)
         mark_strip(t, strip);
-    close_texel();
+    close_word();
 }

@@ -3,15 +3,16 @@
 // black: empty, blue: outside the map. Seen along the axis: x to the right and y up for z, z to the
 // right and y up for x, x to the right and z down for y.
 //
-// In:   base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// In:   base_map R32UI, see base_map.glsl
 // Out:  picture RGBA32F
 // Host: grid_size, cells; axis: 0 x, 1 y, 2 z; picture_size, slice
 #include "shaders/tracers/cells.glsl"
 
 layout(local_size_x = 16, local_size_y = 16) in;
-layout(binding = 0) uniform usampler3D base_map;
 layout(rgba32f, binding = 0) writeonly uniform image2D picture;
 uniform ivec3 grid_size;
+#include "shaders/tracers/occupancy/base_map.glsl"
+layout(binding = 0) uniform BASE_MAP_SAMPLER base_map;
 uniform int axis;
 
 void main() {
@@ -27,7 +28,7 @@ void main() {
         ivec3 cell = axis == 0   ? ivec3(depth, up, place.x)
                      : axis == 1 ? ivec3(place.x, depth, place.y)
                                  : ivec3(place.x, up, depth);
-        uint word = texelFetch(base_map, ivec3(cell.xy, cell.z >> 5), 0).x;
+        uint word = FETCH_BASE_MAP(base_map, cell);
         color = vec3(float((word >> (cell.z & 31)) & 1u));
     }
     imageStore(picture, pixel, vec4(color, 1.0));

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: MIT
 // Marks the cell of the fragment as occupied (Zeng et al. 2023, section 6: three axes, joined).
 //
-// Out:  base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// Out:  base_map R32UI, see base_map.glsl
 // Host: uniforms grid_size (cells), axis; ALPHA_MASK 0 or 1: leave out what the mask leaves out
+uniform ivec3 grid_size;
+#include "shaders/tracers/occupancy/base_map.glsl" // before the choice: a file is taken once
 #if ALPHA_MASK
 #include "shaders/common/material.glsl"
 flat in uint material_index;
 in vec2 surface_uv;
 in float surface_vertex_alpha;
 #endif
-layout(r32ui, binding = 0) uniform uimage3D base_map;
-uniform ivec3 grid_size;
+layout(r32ui, binding = 0) uniform BASE_MAP_IMAGE base_map;
 uniform int axis;
 in float depth_in_cells;
 
@@ -27,5 +28,5 @@ void main() {
     int depth = int(floor(depth_in_cells));
     ivec3 cell = axis == 0 ? ivec3(depth, across) : axis == 1 ? ivec3(across.y, depth, across.x) : ivec3(across, depth);
     cell = clamp(cell, ivec3(0), grid_size - 1); // interpolation may overshoot a steep triangle
-    imageAtomicOr(base_map, ivec3(cell.xy, cell.z >> 5), 1u << (cell.z & 31));
+    imageAtomicOr(base_map, place_in_base_map(cell), 1u << (cell.z & 31));
 }

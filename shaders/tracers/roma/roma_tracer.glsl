@@ -44,6 +44,12 @@ void roma_load(int map, ivec2 column, out uint words[ROMA_WORDS]) {
 /// Occupied cells at the very start of a ray, at most `limit`.
 int roma_run_in(uint words[ROMA_WORDS], RomaSpan span, bool forward, int limit) {
     int at = span.start >> 5;
+    if (limit == 1) {
+        uint bit = 1u << (span.start & 31), found = 0u;
+        for (int word = 0; word < ROMA_WORDS; ++word)
+            found |= word == at ? words[word] & bit : 0u;
+        return found != 0u ? 1 : 0;
+    }
     int after = forward ? at + 1 : at - 1;
     uint here = 0u, next = 0u;
     for (int word = 0; word < ROMA_WORDS; ++word) {
@@ -65,7 +71,9 @@ void roma_column(int map, RomaRay ray, bool unbounded, out uint words[ROMA_WORDS
     roma_load(map, ray.span.column, words);
     RomaSpan span = ray.span;
 #if ROMA_ESCAPE
-    span = roma_escaped(span, roma_run_in(words, span, ray.forward, ROMA_ESCAPE), ray.forward);
+    // The first cell is skipped, occupied or not; only if it is may others be.
+    int run = 1 + (ROMA_ESCAPE > 1 ? roma_run_in(words, span, ray.forward, ROMA_ESCAPE - 1) : 0);
+    span = roma_escaped(span, run, ray.forward);
 #endif
     roma_cut(words, span, ray.forward, unbounded);
 }

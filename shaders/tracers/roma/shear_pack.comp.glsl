@@ -1,97 +1,93 @@
 // SPDX-License-Identifier: MIT
-// Packs the base occupancy map anew for the shear: bits along x or y instead of z, slices side by
-// side, 32 x 32 bits at a time. See ShearPacking (renderer/tracers/roma/shear.h) for the layout.
+// Packs the base occupancy map anew for shear_blocks.comp.glsl: rows along z with some of their
+// cells repeated, slices side by side, and rows along x for slices along z. See ShearPacking
+// (renderer/tracers/roma/shear.h) for the layout. Tables the places of columns besides.
 //
-// In:   base_map R32UI, (Nx, Ny, ceil(Nz / 32)): bit b of texel z is cell 32 z + b along z
+// In:   base_map R32UI, see base_map.h
 //       shear_maps, one ShearMap per direction
 // Out:  packed_rows: the words of the packings for slices along x, y, z
-//       shear_places: the table of places along p and q
-// Host: TRANSPOSE_ROWS_APART 0 or 1 and, for it, TRANSPOSE_BLOCKS 4; base_size, cells; guard, empty
-//       cells on each side; first_word of each packing; row_words of rows along x, of those along y;
-//       map_count. Dispatched over (others, words of a row, 2 x words along z + 1), see main
-#if TRANSPOSE_ROWS_APART
-layout(local_size_x = 32, local_size_y = TRANSPOSE_BLOCKS) in;
-#define TRANSPOSE_ROW uint
-#else
+//       shear_places, see shear_table.glsl
+// Host: TRANSPOSE_ROWS_APART 0; ROMA_TEXELS_PER_COLUMN; base_size, cells. Dispatched over (words of a row along x, rows,
+//       words along z + 2)
 layout(local_size_x = 1, local_size_y = 8) in;
-#endif
+#include "shaders/tracers/occupancy/base_map.h"
 #include "shaders/tracers/roma/shear_shared.h"
+#include "shaders/tracers/roma/shear_table.glsl"
 #include "shaders/tracers/roma/transpose.glsl"
 
-layout(binding = 0) uniform usampler3D base_map;
+layout(binding = 0) uniform usamplerBuffer base_map;
 layout(std430, binding = 0) writeonly buffer PackedRows { uint packed_rows[]; };
-layout(std430, binding = 1) readonly buffer ShearMaps { ShearMap shear_maps[]; };
-layout(std430, binding = 2) writeonly buffer ShearPlaces { uint shear_places[]; };
-layout(std140, binding = 5) uniform ShearShared { ShearGrid shear_grid; };
 uniform ivec3 base_size;
-uniform int guard;
-uniform ivec3 first_word;
-uniform ivec2 row_words;
-uniform int map_count;
 
-/// A block: 32 cells along x (`axis` 0) or y (1) from word `word` of a row on, 32 cells along z, at
-/// one place along the other of x and y.
-struct Block {
-    int axis, other, word, layer;
-};
+uint base_word(ivec2 at, int word) { return texelFetch(base_map, base_place(base_size, at.x, at.y, word)).x; }
 
-/// Its 32 cells along z at place `row` of the row of cells, before it is transposed.
-uint base_word(Block block, int row) {
-    int period = base_size[block.axis] + 2 * guard;
-    int place = int(uint(32 * block.word + row) % uint(period));
-    ivec2 at = block.axis == 0 ? ivec2(place, block.other) : ivec2(block.other, place);
-    bool inside = all(lessThan(ivec3(at, 32 * block.layer), base_size));
-    return inside ? texelFetch(base_map, ivec3(at, block.layer), 0).x : 0u;
+/// 32 cells along z from a place on, with nothing around the base map.
+uint cells_along_z(ivec2 at, int place) {
+    int word = place >> 5, shift = place & 31, words = (base_size.z + 31) >> 5;
+    if (any(greaterThanEqual(at, base_size.xy)))
+        return 0u;
+    uint low = word < words ? base_word(at, word) : 0u;
+    uint high = word + 1 < words ? base_word(at, word + 1) : 0u;
+    return (low >> shift) | ((high << 1) << (31 - shift));
 }
 
-/// Word `block.word` of the rows at place 32 * block.layer + `lane` along z.
-void store(Block block, int lane, uint bits) {
-    int z = 32 * block.layer + lane;
-    if (block.word >= row_words[block.axis])
-        return;
-    if (block.other < base_size[1 - block.axis] && z < base_size.z + 2 * guard)
-        packed_rows[first_word[block.axis == 0 ? 1 : 0] +
-                    (z * row_words[block.axis] + block.word) * base_size[1 - block.axis] + block.other] = bits;
-    if (block.axis == 0 && block.other < base_size.y + 2 * guard && z < base_size.z)
-        packed_rows[first_word.z + (block.other * row_words.x + block.word) * base_size.z + z] = bits;
-}
-
-/// The last layer of work groups tables the places of columns.
-void table_places() {
-    uint invocations = gl_WorkGroupSize.x * gl_WorkGroupSize.y;
-    uint group = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
-    int step = int(gl_NumWorkGroups.x * gl_NumWorkGroups.y * invocations);
-    int places = shear_grid.row_words.w;
-    int count = 2 * map_count * places;
-    for (int i = int(group * invocations + gl_LocalInvocationIndex); i < count; i += step) {
-        ShearMap map = shear_maps[i / (2 * places)];
-        int place = shear_place_of_entry(i % places, shear_size(shear_grid, map.slope.z).z);
-        ShearPlace found = (i / places) % 2 == 0 ? shear_place_along_p(shear_grid, map, place)
-                                                 : shear_place_along_q(shear_grid, map, place);
-        shear_places[i] = shear_packed(found);
+/// Word `word` of the row along z, whose cells repeat.
+uint repeated_along_z(ivec2 at, int word) {
+    int count = shear_grid.columns.z;
+    int place = int(uint(32 * word) % uint(count));
+    int filled = 0;
+    uint bits = 0u;
+    for (int turn = 0; turn < 32; ++turn) {
+        if (filled >= 32)
+            break;
+        bits |= cells_along_z(at, place) << filled;
+        filled += count - place;
+        place = 0;
     }
+    return bits;
+}
+
+/// Rows along z, for slices along x and y. One invocation of `count` that share them.
+void pack_along_z(int invocation, int count) {
+    ivec2 rows = shear_grid.columns.xy;
+    int row_words = shear_grid.row_words.x;
+    for (int i = invocation; i < rows.x * rows.y; i += count) {
+        ivec2 at = ivec2(i % rows.x, i / rows.x);
+        for (int word = 0; word < row_words; ++word) {
+            uint bits = repeated_along_z(at, word);
+            if (at.x < base_size.x)
+                packed_rows[shear_grid.first_word.x + (at.y * row_words + word) * base_size.x + at.x] = bits;
+            if (at.y < base_size.y)
+                packed_rows[shear_grid.first_word.y + (at.x * row_words + word) * base_size.y + at.y] = bits;
+        }
+    }
+}
+
+/// Word `word` of rows along x at 32 slices along z.
+void pack_along_x(int word, int y, int layer) {
+    if (y >= shear_grid.columns.y)
+        return;
+    uint rows[32];
+    for (int row = 0; row < 32; ++row) {
+        ivec2 at = ivec2(int(uint(32 * word + row) % uint(shear_grid.columns.x)), y);
+        bool inside = all(lessThan(at, base_size.xy));
+        rows[row] = inside ? base_word(at, layer) : 0u;
+    }
+    transpose(rows);
+    int first = shear_grid.first_word.z + (y * shear_grid.row_words.z + word) * base_size.z + 32 * layer;
+    for (int lane = 0; lane < min(32, base_size.z - 32 * layer); ++lane)
+        packed_rows[first + lane] = rows[lane];
 }
 
 void main() {
-    if (gl_WorkGroupID.z == gl_NumWorkGroups.z - 1u) {
-        table_places();
-        return;
-    }
-    // x: words of a row; y: places along the other axis; z: words along z, for rows along x and y.
-    Block block;
-    block.axis = int(gl_WorkGroupID.z) & 1;
-    block.layer = int(gl_WorkGroupID.z) >> 1;
-    block.word = int(gl_WorkGroupID.x);
-    block.other = int(gl_GlobalInvocationID.y);
-#if TRANSPOSE_ROWS_APART
-    int lane = int(gl_LocalInvocationID.x);
-    store(block, lane, transposed(base_word(block, lane)));
-#else
-    uint rows[32];
-    for (int row = 0; row < 32; ++row)
-        rows[row] = base_word(block, row);
-    transpose(rows);
-    for (int lane = 0; lane < 32; ++lane)
-        store(block, lane, rows[lane]);
-#endif
+    int layer = int(gl_WorkGroupID.z), layers = int(gl_NumWorkGroups.z) - 2;
+    int word = int(gl_WorkGroupID.x), y = int(gl_GlobalInvocationID.y);
+    int words = int(gl_NumWorkGroups.x);
+    int invocation = y * words + word, count = int(gl_NumWorkGroups.y * gl_WorkGroupSize.y) * words;
+    if (layer == layers)
+        pack_along_z(invocation, count);
+    else if (layer == layers + 1)
+        table_places(invocation, count);
+    else
+        pack_along_x(word, y, layer);
 }

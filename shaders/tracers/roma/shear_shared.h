@@ -27,7 +27,7 @@ struct ShearGrid {
     vec4 inverse;  ///< xyz: 1 / columns; w: normal offset, cells
     ivec4 columns; ///< xyz: cells along x, y, z where those are columns, the guard's included; w:
                    ///< guard cells on each side, always empty
-    ivec4 first_word; ///< xyz: of the base map's packing for slices along x, y, z
+    ivec4 first_word; ///< xyz: of the base map's packing for slices along x, y, z; w: maps
     ivec4 row_words;  ///< xyz: words of a row in it; w: places of an axis in the table of them
 };
 
@@ -37,14 +37,18 @@ struct ShearMap {
                  ///< texel
     vec4 scale;  ///< x, y: slices per cell along p, q, at most 1e9; z: slices per metre along the
                  ///< direction, w: metres per slice
+    vec4 tilt;   ///< for rays; x, y: slopes, cells per slice; z, w: the farthest place along u, v
+    ivec4 rays; ///< x, y: where place 0 along p, q has its entry in the table of places; z: slices;
+                ///< w: axis m
 };
 
-/// Along p, q and m, of what is given along x, y and z; m by its number.
+/// Along p, q and m, of what is given along x, y and z; m by its number. p is z, as the bits of the
+/// base map, unless m is.
 SHARED_FN vec3 shear_turned(vec3 v, int m) {
-    return vec3(m == 0 ? v.y : v.x, m == 2 ? v.y : v.z, m == 0 ? v.x : m == 1 ? v.y : v.z);
+    return vec3(m == 2 ? v.x : v.z, m == 1 ? v.x : v.y, m == 0 ? v.x : m == 1 ? v.y : v.z);
 }
 SHARED_FN ivec3 shear_turned(ivec3 v, int m) {
-    return ivec3(m == 0 ? v.y : v.x, m == 2 ? v.y : v.z, m == 0 ? v.x : m == 1 ? v.y : v.z);
+    return ivec3(m == 2 ? v.x : v.z, m == 1 ? v.x : v.y, m == 0 ? v.x : m == 1 ? v.y : v.z);
 }
 
 /// Columns along p and q, and slices.
@@ -176,62 +180,65 @@ SHARED_FN RomaSpan shear_inside(RomaSpan span, ShearPlace along_p, ShearPlace al
 /// Columns beyond this many from the grid hold no cell.
 SHARED_FN int shear_farthest(int slices) { return slices + 4; }
 
-/// The entry of a place along p (`axis` 0) or q (1); of one beyond the farthest, that of those.
-SHARED_FN int shear_entry(ShearGrid grid, int map, int axis, int place, int columns, int slices) {
-    int far = shear_farthest(slices);
-    return (2 * map + axis) * grid.row_words.w + clamp(place, -far, columns + far) + far;
+/// The entry of place 0 along p (`axis` 0) or q (1).
+SHARED_FN int shear_first_entry(ShearGrid grid, int map, int axis, int slices) {
+    return (2 * map + axis) * grid.row_words.w + shear_farthest(slices);
 }
 
 /// The place that an entry of the table is for.
 SHARED_FN int shear_place_of_entry(int entry, int slices) { return entry - shear_farthest(slices); }
 
-SHARED_FN uint shear_packed(ShearPlace place) {
-    return uint(place.first) | uint(place.end) << 9 | uint(place.wrapped) << 18;
-}
-SHARED_FN ShearPlace shear_unpacked(uint bits) {
-    ShearPlace place;
-    place.first = int(bits & 511u);
-    place.end = int((bits >> 9) & 511u);
-    place.wrapped = int(bits >> 18);
-    return place;
+/// An entry: the interval, and what the place adds to that of the column's first texel. `texels`:
+/// from a place to the next; `first_texel`: of the map, along one of the axes.
+SHARED_FN uvec2 shear_packed(ShearPlace place, int texels, int first_texel) {
+    return uvec2(uint(place.first) | uint(place.end) << 16,
+                 uint(first_texel + place.wrapped * texels));
 }
 
-/// A point in cells of the grid, along p, q and m.
-SHARED_FN vec3 shear_cells(ShearGrid grid, int m, vec3 point) {
+/// Leaves those slices of a span that both entries have; the column is then the first texel of it
+/// in x.
+SHARED_FN RomaSpan shear_cut(RomaSpan span, uvec2 along_p, uvec2 along_q) {
+    span.first = max(span.first, int(max(along_p.x & 0xFFFFu, along_q.x & 0xFFFFu)));
+    span.last = min(span.last, int(min(along_p.x >> 16, along_q.x >> 16)) - 1);
+    span.column = ivec2(int(along_p.y + along_q.y), 0);
+    return span;
+}
+
+/// A point in cells of the grid.
+SHARED_FN vec3 shear_cells(ShearGrid grid, vec3 point) {
     EXACT vec3 cells = (point - vec3(grid.origin)) * grid.origin.w;
-    return shear_turned(cells, m);
+    return cells;
 }
 
 /// Aligned coordinates of what is given in cells along p, q and m; a point or a direction.
 SHARED_FN vec3 shear_aligned(ShearMap map, vec3 cells) {
-    const float one = 1.0f / float(1 << kShearFractionBits);
-    EXACT float u = cells.x - (float(map.slope.x) * one) * cells.z;
-    EXACT float v = cells.y - (float(map.slope.y) * one) * cells.z;
+    EXACT float u = cells.x - map.tilt.x * cells.z;
+    EXACT float v = cells.y - map.tilt.y * cells.z;
     return vec3(u, v, cells.z);
 }
 
 /// The column, unwrapped, that a place lies in. One that is too far to hold any cell may be told as
 /// another such.
-SHARED_FN ivec2 shear_column(ivec3 size, vec3 aligned) {
-    float far = float(shear_farthest(size.z));
-    return ivec2(int(floor(clamp(aligned.x, -far, float(size.x) + far))),
-                 int(floor(clamp(aligned.y, -far, float(size.y) + far))));
+SHARED_FN ivec2 shear_column(ShearMap map, vec3 aligned) {
+    float far = float(shear_farthest(map.rays.z));
+    return ivec2(int(floor(clamp(aligned.x, -far, map.tilt.z))),
+                 int(floor(clamp(aligned.y, -far, map.tilt.w))));
 }
 
 /// A snapped ray, not yet cut by shear_inside. `point`: the surface point, metres; `normal`: unit.
 /// `t_max`: metres from the surface point, infinity allowed.
 SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 point, vec3 normal,
                             float t_max) {
-    int m = map.slope.z;
-    ivec3 size = shear_size(grid, m);
-    vec3 surface = shear_cells(grid, m, point);
-    EXACT vec3 moved = surface + shear_turned(normal, m) * grid.inverse.w;
+    int m = map.rays.w;
+    vec3 surface = shear_cells(grid, point);
+    EXACT vec3 moved = surface + normal * grid.inverse.w;
+    vec3 start = shear_aligned(map, shear_turned(moved, m));
     EXACT float reach = t_max < kRomaUnbounded ? t_max * map.scale.z : t_max;
     RomaRay ray;
-    ray.surface = surface.z;
+    ray.surface = m == 0 ? surface.x : m == 1 ? surface.y : surface.z;
     ray.forward = forward;
-    ray.span = roma_slices(moved.z, surface.z, reach, forward, size.z);
-    ray.span.column = shear_column(size, shear_aligned(map, moved));
+    ray.span = roma_slices(start.z, ray.surface, reach, forward, map.rays.z);
+    ray.span.column = shear_column(map, start);
     return ray;
 }
 
@@ -244,7 +251,7 @@ SHARED_FN vec3 shear_turned_direction(ShearMap map, vec3 direction) {
 SHARED_FN RomaWalk shear_walk(ShearGrid grid, ShearMap map, vec3 point, vec3 normal, vec3 direction,
                               float t_max) {
     int m = map.slope.z;
-    vec3 surface = shear_cells(grid, m, point);
+    vec3 surface = shear_turned(shear_cells(grid, point), m);
     EXACT vec3 moved = surface + shear_turned(normal, m) * grid.inverse.w;
     EXACT vec3 turned = shear_turned(direction, m) * grid.origin.w;
     EXACT vec3 step = turned * abs(roma_reciprocal(turned.z));
@@ -255,9 +262,8 @@ SHARED_FN RomaWalk shear_walk(ShearGrid grid, ShearMap map, vec3 point, vec3 nor
 
 /// Whether a direction points to the candidate's side, rather than to its opposite's.
 SHARED_FN bool shear_is_forward(ShearMap map, vec3 direction) {
-    vec3 turned = shear_turned(direction, map.slope.z);
-    EXACT float cosine = turned.x * float(map.slope.x) + turned.y * float(map.slope.y) +
-                         turned.z * float(1 << kShearFractionBits);
+    vec3 turned = shear_turned(direction, map.rays.w);
+    EXACT float cosine = turned.x * map.tilt.x + turned.y * map.tilt.y + turned.z;
     return cosine >= 0.0f;
 }
 

@@ -10,19 +10,24 @@ layout(binding = 5) uniform usamplerBuffer shear_places;
 layout(std140, binding = 5) uniform ShearShared { ShearGrid shear_grid; };
 layout(std430, binding = 4) readonly buffer ShearMaps { ShearMap shear_maps[]; };
 
-/// The cells of a span that its column has, and the place of that.
+/// The cells of a span that its column has, and where that is: roma_place. For columns that
+/// shear_column gives.
+RomaSpan roma_inside(int map, RomaSpan span) {
+    ivec2 entries = shear_maps[map].rays.xy + span.column;
+    return shear_cut(span, texelFetch(shear_places, entries.x).xy, texelFetch(shear_places, entries.y).xy);
+}
+
+/// Likewise for any.
 RomaSpan roma_bounded(int map, RomaSpan span) {
-    ivec3 size = shear_size(shear_grid, shear_maps[map].slope.z);
-    int along_p = shear_entry(shear_grid, map, 0, span.column.x, size.x, size.z);
-    int along_q = shear_entry(shear_grid, map, 1, span.column.y, size.y, size.z);
-    return shear_inside(span, shear_unpacked(texelFetch(shear_places, along_p).x),
-                        shear_unpacked(texelFetch(shear_places, along_q).x));
+    int far = shear_farthest(shear_maps[map].rays.z);
+    span.column = clamp(span.column, ivec2(-far), ivec2(shear_maps[map].tilt.zw));
+    return roma_inside(map, span);
 }
 
 /// `point`: metres.
 RomaRay roma_ray_in(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     RomaRay ray = shear_ray(shear_grid, shear_maps[map], forward, point, normal, t_max);
-    ray.span = roma_bounded(map, ray.span);
+    ray.span = roma_inside(map, ray.span);
     return ray;
 }
 
@@ -34,19 +39,15 @@ float roma_crossings_in(int map, vec3 direction) {
     return roma_crossings(shear_turned_direction(shear_maps[map], direction));
 }
 
-int roma_slice_count(int map) { return shear_size(shear_grid, shear_maps[map].slope.z).z; }
+int roma_slice_count(int map) { return shear_maps[map].rays.z; }
 
 bool roma_forward_in(int map, vec3 direction) { return shear_is_forward(shear_maps[map], direction); }
 
 float roma_metres_per_slice(int map) { return shear_maps[map].scale.w; }
 
-/// Where the texels of a column are.
+/// Where the texels of the column of a span are that has been cut to it.
 #define ROMA_PLACE int
-int roma_place(int map, ivec2 column) {
-    ShearMap sheared = shear_maps[map];
-    int row = shear_turned(shear_grid.columns.xyz, sheared.slope.z).x;
-    return shear_texel(sheared, row, column, 0, ROMA_TEXELS_PER_COLUMN);
-}
+int roma_place(int map, ivec2 column) { return column.x; }
 
 uvec4 roma_texel(int map, int place, int part) { return texelFetch(aligned_maps, place + part); }
 
@@ -58,5 +59,6 @@ uint roma_mask(int word, RomaSpan span, bool forward, bool unbounded) {
 ivec3 aligned_map_size(int map) { return shear_size(shear_grid, shear_maps[map].slope.z); }
 
 uint aligned_map_word(int map, ivec2 column, int word) {
-    return roma_texel(map, roma_place(map, column), word / ROMA_WORDS_PER_TEXEL)[word % ROMA_WORDS_PER_TEXEL];
+    int place = shear_texel(shear_maps[map], aligned_map_size(map).x, column, 0, ROMA_TEXELS_PER_COLUMN);
+    return roma_texel(map, place, word / ROMA_WORDS_PER_TEXEL)[word % ROMA_WORDS_PER_TEXEL];
 }
