@@ -9,15 +9,11 @@ namespace romascope::gpu {
 /// Mask of the cells first..last (both included) that lie in word `word`. An empty range, or one
 /// that does not touch the word, gives 0. No shift by 32, which both languages leave undefined.
 SHARED_FN uint bits_in_range(int word, int first, int last) {
-    // Each comparison serves two words, if all words of a column are masked.
-    int first_word = first >> 5, last_word = last >> 5;
-    uint from = first_word > word       ? 0u
-                : first_word > word - 1 ? 0xFFFFFFFFu << (first & 31)
-                                        : 0xFFFFFFFFu;
-    uint to = last_word < word       ? 0u
-              : last_word < word + 1 ? 0xFFFFFFFFu >> (31 - (last & 31))
-                                     : 0xFFFFFFFFu;
-    return from & to;
+    int low = max(first - 32 * word, 0);
+    int high = min(last - 32 * word, 31);
+    if (low > high)
+        return 0u;
+    return (0xFFFFFFFFu << low) & (0xFFFFFFFFu >> (31 - high));
 }
 
 /// Mask of the cells from `cell` on, or of those before it, that lie in word `word`.

@@ -121,6 +121,8 @@ protected:
         OccupancyMap map;
         map.build(frame(gpu_scene, settings, 3, frame_number));
         const BitGrid built = map.download();
+        map.build(frame(gpu_scene, settings, 3, frame_number), BaseStore::buffer);
+        EXPECT_EQ(map.download(), built) << "in a buffer";
         const SampledGrid expected = sample_on_cpu(scene, map.grid());
         size_t missing = 0, extra = 0;
         for (size_t i = 0; i < built.words().size(); ++i) {

@@ -35,13 +35,15 @@ protected:
     BitGrid build(const Scene& scene, OccupancyCoverage coverage, uint32_t number = 0) {
         settings_.set(kOccupancyCoverage, coverage);
         const GpuScene gpu_scene(scene);
-        const auto built = [&](Invocations invocations) {
+        const auto built = [&](Invocations invocations, BaseStore store) {
             settings_.set(kOccupancyInvocations, invocations);
-            map_.build(frame(gpu_scene, settings_, 0, number));
+            map_.build(frame(gpu_scene, settings_, 0, number), store);
             return map_.download();
         };
-        const BitGrid by_many = built(Invocations::many);
-        EXPECT_EQ(built(Invocations::few), by_many);
+        const BitGrid by_many = built(Invocations::many, BaseStore::texture);
+        EXPECT_EQ(built(Invocations::few, BaseStore::texture), by_many);
+        EXPECT_EQ(built(Invocations::many, BaseStore::buffer), by_many);
+        EXPECT_EQ(built(Invocations::few, BaseStore::buffer), by_many);
         return by_many;
     }
 

@@ -73,7 +73,9 @@ void Shearing::shear_at_once(const FrameContext& frame, const Program& program,
     for (size_t map = 0; map < frame_.maps.size(); ++map) {
         const glm::ivec2 columns(frame_.size(map));
         const bool along_z = frame_.maps[map].slope.z == 2;
-        groups = std::max(groups, along_z ? (columns.x * columns.y + 31) / 32 : columns.y);
+        const int together = 32 * layout_.words_per_texel;
+        groups = std::max(groups,
+                          along_z ? (columns.x * columns.y + together - 1) / together : columns.y);
     }
     const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels + 1;
     pass.repeat([&] {

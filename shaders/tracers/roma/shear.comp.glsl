@@ -7,8 +7,8 @@
 // A work group has a row of columns.
 //
 // Slices along z: words have their bits along the slices already, so that a word of a column takes
-// one bit from each of 32 words. An invocation has a word, and a work group the words of 32 columns,
-// in the order in which those are stored.
+// one bit from each of 32 words. An invocation has a column, in the order in which they are stored.
+// One for each word of a column takes longer: more work groups.
 //
 // In:   base_words   see base_map.h
 //       shear_maps   one ShearMap per direction
@@ -22,7 +22,6 @@
 #include "shaders/tracers/roma/shear_shared.h"
 #include "shaders/tracers/roma/shear_table.glsl"
 
-#pragma optionNV(unroll all)
 layout(local_size_x = 32, local_size_y = ROMA_WORDS_PER_TEXEL) in;
 #define TRANSPOSE_BLOCKS ROMA_WORDS_PER_TEXEL
 #define TRANSPOSE_ROW uvec4
@@ -164,26 +163,27 @@ uint word_of_column(ivec3 size, ivec2 column, int layer, int first_place) {
     return bits;
 }
 
-/// 32 columns of a map with slices along z, from the one that is stored in place `first` on.
+/// As many columns as invocations of a map with slices along z, from the one that is stored in place
+/// `first` on; part `part` of them.
 void shear_columns(ShearMap map, ivec3 size, int first, int part) {
-    int lane = int(gl_LocalInvocationID.x), word = int(gl_LocalInvocationID.y);
-    int slice = 32 * word + lane;
+    int invocation = int(gl_LocalInvocationIndex);
     for (int tap = 0; tap < SHEAR_TAPS; ++tap) {
-        ivec2 moved = shear_tap(map.slope.xy, kInvocations * part + slice, tap, SHEAR_TAPS);
-        places[tap][slice] = shear_wrapped_column(shear_grid, 2, moved) * ivec2(1, base_size.x);
+        ivec2 moved = shear_tap(map.slope.xy, kInvocations * part + invocation, tap, SHEAR_TAPS);
+        places[tap][invocation] = shear_wrapped_column(shear_grid, 2, moved) * ivec2(1, base_size.x);
     }
     barrier();
-    int column = first + lane, count = size.x * size.y;
+    int column = first + invocation;
+    if (column >= size.x * size.y)
+        return;
     int j = column / size.x, i = column - j * size.x;
-    int layer = ROMA_WORDS_PER_TEXEL * part + word;
-    bool there = column < count && 32 * layer < size.z;
-    exchanged[0][word][lane] = there ? word_of_column(size, ivec2(i, j), layer, 32 * word) : 0u;
-    barrier();
     uvec4 texel = uvec4(0u);
-    for (int k = 0; k < ROMA_WORDS_PER_TEXEL; ++k)
-        texel[k] = exchanged[0][k][lane];
-    if (word == 0 && column < count)
-        imageStore(aligned_maps, map.slope.w + column * ROMA_TEXELS_PER_COLUMN + part, texel);
+    for (int word = 0; word < ROMA_WORDS_PER_TEXEL; ++word) {
+        int layer = ROMA_WORDS_PER_TEXEL * part + word;
+        if (32 * layer >= size.z)
+            break;
+        texel[word] = word_of_column(size, ivec2(i, j), layer, 32 * word);
+    }
+    imageStore(aligned_maps, map.slope.w + column * ROMA_TEXELS_PER_COLUMN + part, texel);
 }
 
 void main() {
@@ -196,8 +196,8 @@ void main() {
     ShearMap map = shear_maps[layer / ROMA_TEXELS_PER_COLUMN];
     ivec3 size = shear_size(shear_grid, map.slope.z);
     if (map.slope.z == 2) {
-        if (32 * group < size.x * size.y)
-            shear_columns(map, size, 32 * group, part);
+        if (group * kInvocations < size.x * size.y)
+            shear_columns(map, size, group * kInvocations, part);
     } else if (group < size.y) {
         shear_row(map, size, group, part);
     }

@@ -51,9 +51,10 @@ int roma_place(int map, ivec2 column) { return column.x; }
 
 uvec4 roma_texel(int map, int place, int part) { return texelFetch(aligned_maps, place + part); }
 
-/// The column's interval in the grid bounds every ray at both ends.
+/// The column's interval in the grid bounds every ray at both ends. Two half masks take less than
+/// bits_in_range, which looks at the order of the ends besides.
 uint roma_mask(int word, RomaSpan span, bool forward, bool unbounded) {
-    return bits_in_range(word, span.first, span.last);
+    return bits_from(word, span.first, false) & bits_from(word, span.last + 1, true);
 }
 
 ivec3 aligned_map_size(int map) { return shear_size(shear_grid, shear_maps[map].slope.z); }
