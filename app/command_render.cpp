@@ -17,6 +17,7 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 #include <memory>
@@ -59,8 +60,10 @@ void check_jump(std::pair<int, double> jump, const Settings& settings, bool flie
 /// What can be refused before any work is done.
 void check_outputs(const RenderOptions& options, const Settings& settings) {
     const bool wants_reference = !options.reference_output.empty() || !options.error_map.empty();
-    if (options.output.empty() && options.report.empty() && !options.table && !wants_reference)
-        throw Error("nothing to do: give -o FILE, --report FILE or --table", kBadInput);
+    if (options.output.empty() && options.report.empty() && !options.table &&
+        !options.reference_samples && !wants_reference)
+        throw Error("nothing to do: give -o FILE, --report FILE, --table or --reference N",
+                    kBadInput);
     for (const fs::path& picture : {options.output, options.reference_output, options.error_map})
         if (!picture.empty())
             check_image_extension(picture);
@@ -74,6 +77,10 @@ void check_outputs(const RenderOptions& options, const Settings& settings) {
         throw Error("--flicker needs at least --frames 2", kBadInput);
     if (!options.path.empty() && settings.get(kFrames) < 2)
         throw Error("--path needs at least --frames 2: all frames together fly it", kBadInput);
+    if (!options.path.empty() && !options.settings.camera.empty())
+        throw Error("--camera stands still, --path flies: give one of them", kBadInput);
+    if (std::ranges::find(options.path, "") != options.path.end())
+        throw Error("--path needs the name of a camera, eye/target/degrees, or all", kBadInput);
     if (options.jump)
         check_jump(*options.jump, settings, !options.path.empty());
     check_tracer(settings);
@@ -97,7 +104,7 @@ int render(const RenderOptions& options) {
     Scene scene = options.memory.load(file);
     Showing showing(scene, settings, options.path);
     if (options.jump) {
-        if (scene.motion.parts.empty())
+        if (scene.motion.parts.empty() || scene.motion.animations.empty())
             throw Error(fmt::format("{}: nothing in it moves, so --jump has nothing to show",
                                     file.string()),
                         kBadInput);
@@ -128,10 +135,12 @@ int render(const RenderOptions& options) {
     std::optional<FlickerWatch> flicker;
     if (options.flicker)
         flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
-    FlightWatch flight;
+    std::optional<FlightWatch> flight;
+    if (!options.path.empty())
+        flight.emplace(showing, settings);
     const FrameRun run = render_frames(pipeline, settings, showing, [&](int frame) {
-        if (!options.path.empty())
-            flight(pipeline);
+        if (flight)
+            (*flight)(pipeline);
         if (flicker)
             (*flicker)(pipeline, frame);
         if (lag)
@@ -152,18 +161,18 @@ int render(const RenderOptions& options) {
     facts.counts = run.counts;
     if (options.jump)
         facts.jumped_to = options.jump->second;
-    if (!options.path.empty()) {
-        facts.flight = flight.facts();
-        facts.flight->stops = showing.stops();
-    }
+    if (flight)
+        facts.flight = flight->facts();
     if (options.reference_samples) {
         const int samples = *options.reference_samples;
         const AoReference truth = truth_of(scene, camera, settings, samples, !options.no_cache);
         facts.errors = judge(truth, run.picture, samples);
         if (flicker)
             facts.errors->flicker = flicker->value();
-        if (lag)
+        if (lag) {
             facts.errors->lag = lag->value();
+            facts.errors->nothing_to_lag = !facts.errors->lag;
+        }
         if (!options.reference_output.empty())
             write_image(options.reference_output, truth.visibility);
         if (!options.error_map.empty())

@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <span>
 
 namespace romascope {
 namespace {
@@ -59,29 +58,39 @@ void check_memory(const Scene& scene, const Settings& settings, size_t left, boo
 Showing::Showing(const Scene& scene, const Settings& settings,
                  const std::vector<std::string>& stops)
     : scene_(scene), settings_(settings), stops_(stops), pose_(pose_of_frame(scene, settings, 0)) {
+    if (stops_.size() > 1 && std::ranges::find(stops_, "all") != stops_.end())
+        throw Error("--path all is the whole flight: give no other camera beside it", kBadInput);
     if (stops_ == std::vector<std::string>{"all"}) {
         stops_.clear();
         for (const Camera& camera : scene.cameras)
             stops_.push_back(camera.name);
     }
     if (!stops.empty() && stops_.size() < 2)
-        throw Error(fmt::format("--path {}: a flight needs two cameras or more; give --path again "
-                                "for each further one ",
-                                fmt::join(stops, " ")),
-                    kBadInput);
+        throw Error(
+            fmt::format("--path {}: a flight needs two cameras or more; {}", stops.front(),
+                        stops.front() == "all"
+                            ? "the scene has one: give --path for each, as eye/target/degrees"
+                            : "give --path again for each further one"),
+            kBadInput);
     camera_ = camera_of_frame();
 }
 
 void Showing::go_to(int frame) {
-    if (frame == frame_ || !changes())
+    if (frame == frame_)
         return;
     frame_ = frame;
+    if (!changed())
+        return;
     if (time_goes_on())
         pose_ = pose_of_frame(scene_, settings_, frame);
     if (jump_ && frame == jump_->frame)
         pose_ = pose_at(scene_.motion, find_animation(scene_, settings_.get(kAnimation)),
                         jump_->seconds);
     camera_ = camera_of_frame();
+}
+
+bool Showing::changed() const {
+    return !stops_.empty() || time_goes_on() || (jump_ && frame_ == jump_->frame);
 }
 
 bool Showing::time_goes_on() const { return settings_.get(kFps) != 0.0 && !scene_.motion.empty(); }
@@ -155,7 +164,7 @@ FlickerWatch::FlickerWatch(const Scene& scene, const Settings& settings, const S
 void FlickerWatch::operator()(const Pipeline& pipeline, int frame) {
     if (frame + 1 < settings_.get(kFrames) / 2)
         return;
-    if (showing_.changes() || !truth_) {
+    if (showing_.changed() || !truth_) {
         Scene posed = scene_;
         if (!posed.motion.empty())
             apply_pose(posed, showing_.pose());
@@ -164,15 +173,16 @@ void FlickerWatch::operator()(const Pipeline& pipeline, int frame) {
     flicker_.add(*truth_, pipeline.picture());
 }
 
+FlightWatch::FlightWatch(const Showing& showing, const Settings& settings) {
+    facts_.stops = showing.stops();
+    if (is_visibility(settings.get(kView)))
+        facts_.black_pixels = 0;
+}
+
 void FlightWatch::operator()(const Pipeline& pipeline) {
-    const Image picture = pipeline.picture();
-    const auto channels = static_cast<size_t>(picture.channels);
-    for (size_t at = 0; at + channels <= picture.data.size(); at += channels) {
-        const std::span<const float> pixel(&picture.data[at], channels);
-        const bool finite = std::ranges::all_of(pixel, [](float x) { return std::isfinite(x); });
-        const bool lit = std::ranges::any_of(pixel, [](float x) { return x > 0.0f; });
-        facts_.black_pixels += finite && lit ? 0 : 1;
-    }
+    if (facts_.black_pixels)
+        for (const float value : pipeline.picture().data)
+            *facts_.black_pixels += std::isfinite(value) && value > 0.0f ? 0 : 1;
     for (const NamedCount& count : pipeline.counts()) {
         const auto known = std::ranges::find(facts_.most, count.name, &NamedCount::name);
         if (known == facts_.most.end())

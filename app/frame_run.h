@@ -42,8 +42,8 @@ public:
     void go_to(int frame); ///< counted from 0
     /// Whether the settings ask for a time or a course of time though the scene has no animation.
     bool is_asked_in_vain() const;
-    /// Whether frames differ in what they should show.
-    bool changes() const { return !stops_.empty() || time_goes_on() || jump_; }
+    /// Whether the frame that it stands at may show something else than the one before.
+    bool changed() const;
     const std::vector<std::string>& stops() const { return stops_; }
     const Pose& pose() const { return pose_; }
     const Camera& camera() const { return camera_; }
@@ -73,6 +73,7 @@ struct FrameRun {
 /// What goes wrong on the way, from frame to frame.
 class FlightWatch {
 public:
+    FlightWatch(const Showing& showing, const Settings& settings);
     /// Looks at the frame that was rendered last.
     void operator()(const Pipeline& pipeline);
     const FlightFacts& facts() const { return facts_; }

@@ -18,11 +18,15 @@ Image LagWatch::truth_now() const {
     return truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
 }
 
+bool LagWatch::is_judged(size_t pixel) const {
+    return std::abs(truth_.data[pixel] - before_.data[pixel]) >= kChange;
+}
+
 double LagWatch::error_of(const Pipeline& pipeline) const {
     const Image picture = pipeline.picture();
     double sum = 0;
     for (size_t i = 0; i < truth_.data.size(); ++i)
-        if (std::abs(truth_.data[i] - before_.data[i]) >= kChange)
+        if (is_judged(i))
             sum += std::abs(double{picture.data[i]} - double{truth_.data[i]});
     return sum;
 }
@@ -34,6 +38,8 @@ void LagWatch::operator()(const Pipeline& pipeline, int frame) {
         return;
     if (frame == first_) {
         truth_ = truth_now();
+        for (size_t i = 0; i < truth_.data.size(); ++i)
+            changed_ = changed_ || is_judged(i);
         fresh_.restart(static_cast<uint32_t>(frame)); // with the same random numbers
     }
     fresh_.set_pose(showing_.pose());

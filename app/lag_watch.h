@@ -20,11 +20,13 @@ public:
     LagWatch(const Scene& scene, const Settings& settings, const Showing& showing, int first,
              int samples, bool use_cache, ShaderLibrary shaders);
     void operator()(const Pipeline& pipeline, int frame);
-    /// Frames from the first on until none lags any more; all of them if the last one does.
-    int value() const { return lag_; }
+    /// Frames from the first on until none lags any more; all of them if the last one does. Nothing
+    /// if the truth changed nowhere by kChange: then there is nothing to lag behind.
+    std::optional<int> value() const { return changed_ ? std::optional(lag_) : std::nullopt; }
 
 private:
     Image truth_now() const;
+    bool is_judged(size_t pixel) const;
     double error_of(const Pipeline& pipeline) const;
 
     const Scene& scene_;
@@ -34,6 +36,7 @@ private:
     bool use_cache_;
     Pipeline fresh_;
     Image before_, truth_; ///< before the change, after it
+    bool changed_ = false;
     int lag_ = 0;
 };
 

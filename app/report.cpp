@@ -91,9 +91,10 @@ std::string report_json(const ReportFacts& facts) {
     for (const NamedCount& counted : facts.counts)
         json["counts"][counted.name] = counted.count;
     if (facts.flight) {
-        json["flight"] = {{"cameras", facts.flight->stops},
-                          {"black_pixels", facts.flight->black_pixels},
-                          {"most", Json::object()}};
+        json["flight"] = {{"cameras", facts.flight->stops}};
+        if (facts.flight->black_pixels)
+            json["flight"]["black_pixels"] = *facts.flight->black_pixels;
+        json["flight"]["most"] = Json::object();
         for (const NamedCount& counted : facts.flight->most)
             json["flight"]["most"][counted.name] = counted.count;
     }
@@ -126,6 +127,8 @@ std::string error_table(const ReportErrors& errors) {
         text += fmt::format("{:<20} {:>12.6f}\n", "flicker", *errors.flicker);
     if (errors.lag)
         text += fmt::format("{:<20} {:>12}\n", "lag in frames", *errors.lag);
+    if (errors.nothing_to_lag)
+        text += "no lag: the jump changes ambient occlusion nowhere by 0.2\n";
     return text;
 }
 
@@ -163,8 +166,9 @@ std::string report_table(const ReportFacts& facts) {
     text += count_table("last frame", facts.counts);
     if (facts.flight) {
         text += count_table("most in a frame", facts.flight->most);
-        text += fmt::format("\n{:<20} {:>12}  in all frames\n", "black pixels",
-                            facts.flight->black_pixels);
+        if (facts.flight->black_pixels)
+            text += fmt::format("\n{:<20} {:>12}  in all frames\n", "black pixels",
+                                *facts.flight->black_pixels);
     }
     if (facts.errors) {
         text += '\n';

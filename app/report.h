@@ -25,13 +25,15 @@ struct ReportErrors {
     double flip = 0, rmse = 0, mae = 0, bias = 0;
     std::optional<double> flicker; ///< see Flicker
     std::optional<int> lag;        ///< frames, see LagWatch
+    bool nothing_to_lag = false;   ///< a jump changed the truth nowhere by as much as LagWatch asks
 };
 
 /// What went wrong in any frame of a flight.
 struct FlightFacts {
     std::vector<std::string> stops; ///< cameras that it went through
-    /// Pixels, of all frames together, that were black or not finite. The background is not.
-    uint64_t black_pixels = 0;
+    /// Pixels, of all frames together, that were black or not finite; of ambient occlusion alone,
+    /// where the background is white.
+    std::optional<uint64_t> black_pixels;
     std::vector<NamedCount> most; ///< of each count the largest of a frame
 };
 

@@ -32,7 +32,7 @@ int is_free(int place, Surface surface) {
 }
 
 /// Chooses among the tracer's candidates with probability proportional to |n . c|, each turned to
-/// the side of the normal: unbiased for the set of candidates, and exactly 1 on an open plane.
+/// the side of the normal: unbiased for the set of candidates, and no ray falls below its surface.
 /// All rays of the pixel lie evenly over the summed weights, taken in an order in which neighbours
 /// have similar directions; the van der Corput sequence moves them from frame to frame, so that
 /// successive frames fill the gaps.

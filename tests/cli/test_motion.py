@@ -89,6 +89,15 @@ class Moving(CliTest):
         # A history that is never held to what is seen.
         self.assertGreater(lag("--set", "temporal.enabled=true", "--set", "temporal.clamp=inf"), 8)
 
+    def test_nothing_to_lag_behind(self):
+        words = ("render", "dancers", "--size", "32x18", "--time", "0.4", "--jump", "1", "0.4",
+                 "--frames", "3", "--reference", "4", "--set", "ao.radius=2")
+        text = self.succeed(*words, "--table").stdout
+        self.assertNotIn("lag in frames", text)
+        self.assertRegex(text, r"\nno lag: ")
+        self.succeed(*words, "--report", "out.json")
+        self.assertNotIn("lag_frames", json.loads(self.path("out.json").read_text())["errors"])
+
     def test_what_moves_is_told(self):
         scene = self.report()["scene"]
         self.assertEqual([animation["name"] for animation in scene["animations"]],

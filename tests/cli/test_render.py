@@ -158,7 +158,11 @@ class Reference(CliTest):
 
     def test_flight_refused(self):
         self.refuse_render("--path", "all", says=("--frames 2",))
-        self.refuse_render("--path", "front", "--frames", "2", says=("two cameras",))
+        self.refuse_render("--path", "front", "--frames", "2",
+                           says=("two cameras", "for each further one\n"))
+        self.refuse_render("--path", "all", "--camera", "front", "--frames", "2",
+                           says=("--camera stands still",))
+        self.refuse_render("--path", "front", "--path", "", "--frames", "2", says=("--path needs",))
         self.refuse_render("--path", "front", "--path", "abve", "--frames", "2",
                            says=("did you mean 'above'",))
 

@@ -116,7 +116,16 @@ class Viewer:
                     if re.search(pattern, message["text"]))
 
     def picture(self):
-        return self.screen.picture(self.window)
+        """What stands on the screen: a frame that the viewer has drawn may still be on its way to a
+        busy X server. What never stands still is seen as it is."""
+        last = self.screen.picture(self.window)
+        for _ in range(10):
+            time.sleep(0.15)
+            now = self.screen.picture(self.window)
+            if now == last:
+                break
+            last = now
+        return last
 
     def setting(self, key):
         return self.map()["settings"].get(key)

@@ -66,7 +66,7 @@ inline const Knob<RomaSampling> kRomaSampling{
     {.key = "roma.sampling",
      .unit = "",
      .help = "How rays become candidates: snapped to the candidate of their stratum, as published, "
-             "or chosen among the candidates by cosine, which leaves an open plane fully open.",
+             "or chosen among the candidates by cosine, each turned to the side of the normal.",
      .source = "candidates: no ray falls below its surface"},
     RomaSampling::candidates,
     {"snap", "candidates"}};

@@ -38,11 +38,10 @@ SHARED_FN uint cell_age(Cell cell, uint frame) {
     return (cell.samples & kInUse) != 0u ? 0u : (frame - (cell.hits >> 16)) & 0xFFFFu;
 }
 
-/// The words of hits and samples of a cell before and at use, as in use.
-SHARED_FN uvec2 used_sums(uvec2 sums) {
-    bool in_use = (sums.y & kInUse) != 0u;
-    return uvec2(in_use ? sums.x : sums.x & kHitsMask, sums.y | kInUse);
-}
+/// The words of hits and samples of a cell at use, before anything is added: its sums still have 16
+/// bits. Right also if one of the words was read before another invocation stored these, and the
+/// other after it.
+SHARED_FN uvec2 used_sums(uvec2 sums) { return uvec2(sums.x & kHitsMask, sums.y | kInUse); }
 
 /// A cell after a frame. Sums beyond 16 bits are halved until they fit, both alike. Without use for
 /// more than `max_age` frames it is free, all 0; `max_age` of at least kMaxAge: never.

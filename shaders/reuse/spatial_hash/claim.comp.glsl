@@ -7,7 +7,8 @@
 //       the list of pixels (list_pixels.glsl), and their pixel_cells, RG32UI (pixel_cells.h)
 //       the table; hash_counts
 // Host: see pixel_key.glsl, table.glsl, list_pixels.glsl; sample_cap: cells with so many take no
-//       more; adding_stride: one pixel in so many may add, each in its turn, so that no sum overflows;
+//       more; adding_stride: one pixel in so many may add, each in its turn, so that no sum overflows; the
+//       others trace all the same;
 //       RENEWS 0 or 1: whether cells may be stale, then see stale_cells.glsl
 #include "shaders/estimators/list_pixels.glsl"
 #include "shaders/reuse/spatial_hash/pixel_key.glsl"
