@@ -110,7 +110,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Case{{33, 20, 7}, 33, 3, 3, 0.1}, Case{{64, 1, 50}, 64, 4, 1, 0.2},
                     Case{{64, 40, 64}, 64, 2, 2, 0.04}, Case{{3, 100, 31}, 100, 4, 2, 0.04},
                     Case{{128, 90, 60}, 128, 2, 1, 0.03}, Case{{129, 16, 32}, 129, 2, 3, 0.03},
-                    Case{{256, 24, 100}, 256, 2, 1, 0.03}),
+                    Case{{256, 24, 100}, 256, 2, 1, 0.03}, Case{{24, 40, 256}, 256, 2, 3, 0.03}),
     [](const testing::TestParamInfo<Case>& chosen) {
         return "side" + std::to_string(chosen.param.side) + "taps" +
                std::to_string(chosen.param.taps) + "y" + std::to_string(chosen.param.size.y);
