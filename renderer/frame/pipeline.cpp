@@ -138,9 +138,11 @@ bool Pipeline::reload_shaders() {
 
 void Pipeline::render(const Settings& settings, const Camera& camera) {
     restart_on_change(settings, camera);
+    // A frame that fails has had its number: the hash may have noted it.
+    const uint32_t number = frame_++;
     const FrameContext frame{
-        settings, shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)), frame_};
-    const View view = view_of_frame(settings, camera, scene_.bounds(), frame_);
+        settings, shaders_, scene_, timer_, static_cast<uint32_t>(settings.get(kSeed)), number};
+    const View view = view_of_frame(settings, camera, scene_.bounds(), number);
 
     gbuffer_.draw(frame, view,
                   scene_.has_previous_positions() && ScreenReuse::looks_back(settings));
@@ -154,7 +156,6 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
         mean_.reset();
     shown_ = nullptr;
     mean_.add(frame, picture);
-    ++frame_;
     timer_.collect();
     check_gl_error("the frame");
 }

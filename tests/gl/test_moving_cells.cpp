@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Which cells of the spatial hash are emptied where something moves, and when.
 #include "renderer/scene/gltf/import.h"
+#include "renderer/tracers/structure_view.h"
 #include "shaders/reuse/spatial_hash/search.h"
 #include "shaders/reuse/spatial_hash/stale_cells.h"
 #include "tests/gl/gl_test.h"
@@ -201,6 +202,25 @@ TEST_F(MovingCells, ThoseOutOfReachKeepTheirCounts) {
         kept_after(scene, scene.cameras[0], pose({-2, 0, -2}), pose({-1.5, 0, -2}), 12, 0.02f);
     EXPECT_GT(found.far, 4000u);
     EXPECT_GE(found.kept, found.far * 95 / 100) << "of " << found.far;
+}
+
+TEST_F(MovingCells, AFrameThatFailsAfterTheHashCountsAsOne) {
+    const Scene scene = yard();
+    settings_.set(kViewStructure, "no such view");
+    const auto picture_after = [&](bool fails) {
+        Pipeline pipeline(scene, ShaderLibrary());
+        render(pipeline, pose({-2, 0, -2}), scene.cameras[0], 4);
+        if (fails) {
+            settings_.set(kView, PictureKind::structure);
+            EXPECT_THROW(render(pipeline, pose({-1.5, 0, -2}), scene.cameras[0], 1), Error);
+            settings_.set(kView, PictureKind::ambient_occlusion);
+        } else {
+            render(pipeline, pose({-1.5, 0, -2}), scene.cameras[0], 1);
+        }
+        render(pipeline, pose({-1, 0, -2}), scene.cameras[0], 1);
+        return pipeline.picture();
+    };
+    EXPECT_EQ(picture_after(true).data, picture_after(false).data);
 }
 
 TEST_F(MovingCells, NineInTenOutOfReachOfTheDancersKeepTheirCounts) {
