@@ -105,6 +105,8 @@ Row show(const fs::path& file, Settings settings, const SheetOptions& options, b
     Showing showing(scene, settings);
     {
         Pipeline pipeline(scene, ShaderLibrary());
+        for (const std::string& notice : pipeline.notices(settings))
+            tell_notice(file, notice);
         row.tiles.push_back(render_frames(pipeline, view, showing).picture);
         row.tiles.push_back(render_frames(pipeline, occlusion, showing).picture);
     }
