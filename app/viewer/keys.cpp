@@ -21,6 +21,8 @@ std::span<const KeyBinding> key_bindings() {
          "save it at the size that the panel names"},
         {KeyAction::copy_command, GLFW_KEY_C, GLFW_MOD_CONTROL, kOnce, "Ctrl+C",
          "copy the command that renders this picture"},
+        {KeyAction::begin_anew, GLFW_KEY_R, 0, kOnce, "R",
+         "begin the picture anew, with an empty spatial hash and no history"},
         {KeyAction::reset_all, GLFW_KEY_R, GLFW_MOD_CONTROL, kOnce, "Ctrl+R", "reset all knobs"},
         {KeyAction::reload_shaders, GLFW_KEY_F5, 0, kOnce, "F5", "look for changed shaders now"},
         {KeyAction::quit, GLFW_KEY_Q, GLFW_MOD_CONTROL, kOnce, "Ctrl+Q", "close the window"},

@@ -18,6 +18,7 @@ enum class KeyAction {
     screenshot,
     large_screenshot,
     copy_command,
+    begin_anew,
     reset_all,
     reload_shaders,
     quit,

@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <utility>
 
 namespace romascope {
 namespace {
@@ -32,6 +34,20 @@ void Messages::tell(Severity severity, const std::string& text) {
 
 void Messages::withdraw(const std::string& text) {
     std::erase_if(all_, [&](const Message& message) { return message.text == text; });
+}
+
+void Messages::replace(Severity severity, std::vector<std::string>& told,
+                       std::vector<std::string> now) {
+    const auto has = [](const std::vector<std::string>& texts, const std::string& text) {
+        return std::ranges::find(texts, text) != texts.end();
+    };
+    for (const std::string& text : told)
+        if (!has(now, text))
+            withdraw(text);
+    for (const std::string& text : now)
+        if (!has(told, text))
+            tell(severity, text);
+    told = std::move(now);
 }
 
 } // namespace romascope

@@ -4,6 +4,7 @@
 #include <chrono>
 #include <deque>
 #include <string>
+#include <vector>
 
 namespace romascope {
 
@@ -23,6 +24,9 @@ public:
     void tell(Severity severity, const std::string& text);
     /// It no longer holds: forgotten, if it is there.
     void withdraw(const std::string& text);
+    /// What holds is now another: tells what `told` does not have, withdraws what `now` does not
+    /// have, and makes `told` the same as `now`.
+    void replace(Severity severity, std::vector<std::string>& told, std::vector<std::string> now);
     const std::deque<Message>& all() const { return all_; }
 
 private:

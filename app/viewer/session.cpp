@@ -7,7 +7,6 @@
 #include "renderer/gl/context.h"
 #include "renderer/scene/fit.h"
 #include "renderer/scene/gltf/import.h"
-#include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
 
@@ -30,6 +29,19 @@ bool other_methods(const Settings& a, const Settings& b) {
         const bool number = knob->kind() == KnobKind::integer || knob->kind() == KnobKind::real;
         return !number && knob != &kCamera && a.value(*knob) != b.value(*knob);
     });
+}
+
+/// Whether frames leave behind what one from elsewhere or of another time finds again: cells of the
+/// spatial hash or histories of pixels.
+bool frames_remember(const Settings& settings) {
+    return SpatialHash::is_used(settings) || ScreenReuse::looks_back(settings);
+}
+
+/// Whether nothing but the camera or the time is another.
+bool is_same_but_moved(const Settings& a, Settings b) {
+    b.set_value(kCamera, a.value(kCamera));
+    b.set_value(kTime, a.value(kTime));
+    return a == b;
 }
 
 } // namespace
@@ -56,12 +68,19 @@ void Session::show(const std::filesystem::path& file, Scene scene) {
     loaded_ = std::move(loaded);
     for (const std::string& notice : loaded_->scene.notices)
         messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
-    for (const std::string& notice : loaded_->pipeline.notices(settings_))
-        messages_.tell(Severity::notice, fmt::format("{}: {}", file.string(), notice));
+    tell_notices();
     drawn_.reset();
     frames_ = 0;
     withdraw_faults(); // of the scene before
     playback_.play(playback_.playing() && is_animated());
+}
+
+/// Those that come and go with the settings.
+void Session::tell_notices() {
+    std::vector<std::string> now;
+    for (const std::string& notice : loaded_->pipeline.notices(settings_))
+        now.push_back(fmt::format("{}: {}", loaded_->file.string(), notice));
+    messages_.replace(Severity::notice, notices_, std::move(now));
 }
 
 bool Session::open(const std::string& file_or_name) {
@@ -122,12 +141,7 @@ void Session::reset_all() {
 
 void Session::choose_technique(const std::string& name) {
     try {
-        Settings chosen = settings_;
-        chosen.reset(kTracer);
-        for (const KnobBase* knob : tracer_knobs())
-            chosen.reset(*knob);
-        apply_technique(chosen, name);
-        settings_ = chosen;
+        change_technique(settings_, name);
         technique_ = name;
     } catch (const Error& error) {
         tell_error(error.what());
@@ -225,17 +239,27 @@ bool Session::draw() {
     const Settings wanted = frame_settings();
     const bool changed = drawn_ != wanted;
     const bool structures_changed = !drawn_ || other_methods(*drawn_, wanted);
+    const bool goes_on =
+        changed && drawn_ && frames_remember(wanted) && is_same_but_moved(*drawn_, wanted);
+    const bool begins_anew = changed && !goes_on;
     // The sequences begin anew with the first of many changes and after the last of them; between
     // the two they go on, so that what moves does not drag a still pattern along.
-    if (changed ? changes_in_a_row_ == 0 : changes_in_a_row_ >= 2) {
+    if (begins_anew ? changes_in_a_row_ == 0 : changes_in_a_row_ >= 2) {
         loaded_->pipeline.restart();
         frames_ = 0;
     }
-    changes_in_a_row_ = changed ? changes_in_a_row_ + 1 : 0;
+    changes_in_a_row_ = begins_anew ? changes_in_a_row_ + 1 : 0;
     drawn_ = wanted;
+    if (changed)
+        tell_notices();
     failed_ = !try_draw(wanted, changed, structures_changed);
     frames_ = failed_ ? 0 : changed ? 1 : frames_ + 1;
     return !failed_;
+}
+
+void Session::begin_anew() {
+    drawn_.reset();
+    changes_in_a_row_ = 0;
 }
 
 void Session::draw_if_changed() {

@@ -55,8 +55,7 @@ public:
     void reset_all();
     /// The value that reset() gives: the knob's default; for render.frames one that suits a window.
     KnobValue reset_value(const KnobBase& knob) const;
-    /// A technique: its tracer and values, all else of tracers at its default, as `--technique`
-    /// has it.
+    /// A technique as `--technique` has it, whichever was chosen before; see change_technique.
     void choose_technique(const std::string& name);
     /// The technique that was chosen last; empty if none was.
     const std::string& technique() const { return technique_; }
@@ -96,7 +95,13 @@ public:
     /// A change starts the mean anew. Once nothing changes, the random sequences start at their
     /// beginning, so that the picture after n frames is what `romascope render --frames n` gives;
     /// it rests after `render.frames` of them.
+    ///
+    /// But where the spatial hash or a stage with a history is on, camera and time may change
+    /// without that: cells and histories are kept, and the sequences go on. So the picture at rest
+    /// has more behind it than its own frames, unless begin_anew() came after the last move.
     bool draw();
+    /// The next frame is the first: as if nothing had been drawn before it.
+    void begin_anew();
     /// A frame of what is wanted now, if the last one was of something else.
     void draw_if_changed();
     /// Makes the picture that Pipeline::shown() gives, and tells what programs are at fault. False
@@ -138,6 +143,7 @@ private:
     bool try_draw(const Settings& wanted, bool changed, bool structures_changed);
     void replace_error(std::string& told, const std::string& text);
     void withdraw_faults();
+    void tell_notices();
     Settings frame_settings() const;
 
     Settings settings_;
@@ -152,11 +158,12 @@ private:
 
     std::optional<Settings> drawn_; ///< of the last attempt to draw
     uint32_t frames_ = 0;           ///< in the picture
-    int changes_in_a_row_ = 0;
+    int changes_in_a_row_ = 0;      ///< that begin the sequences anew
     bool failed_ = false;
     bool reloaded_ = false; ///< since the last frame
     // What was told and holds: of programs, the last frame, picture, value and scene.
     std::vector<std::string> shader_faults_;
+    std::vector<std::string> notices_; ///< of scene and settings together
     std::string draw_error_, picture_error_, value_error_, open_error_;
     Viewpoint viewpoint_;        ///< what viewpoint_text_ was made of
     std::string viewpoint_text_; ///< what render.camera was set to; empty: nothing yet

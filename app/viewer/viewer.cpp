@@ -140,6 +140,9 @@ void Viewer::act(KeyAction action, int nth) {
     case KeyAction::fit:
         session_.fit_view();
         break;
+    case KeyAction::begin_anew:
+        session_.begin_anew();
+        break;
     case KeyAction::reset_all:
         session_.reset_all();
         break;

@@ -25,6 +25,20 @@ std::string first_comment(std::string_view text) {
     return begin == std::string_view::npos ? std::string{} : std::string(line.substr(begin));
 }
 
+/// The tracer, all that tracers can be told, and all else that some technique sets.
+std::vector<const KnobBase*> technique_knobs() {
+    std::vector<const KnobBase*> knobs = tracer_knobs();
+    knobs.push_back(&kTracer);
+    for (const Technique& technique : techniques()) {
+        Settings settings(all_knobs());
+        apply_technique(settings, technique.name);
+        for (const KnobBase* knob : all_knobs().all())
+            if (!settings.is_default(*knob) && std::ranges::find(knobs, knob) == knobs.end())
+                knobs.push_back(knob);
+    }
+    return knobs;
+}
+
 } // namespace
 
 double time_of_frame(const Settings& settings, int frame) {
@@ -69,6 +83,15 @@ void apply_technique(Settings& settings, const std::string& name) {
                     kBadInput);
     }
     settings.load_toml_text(found->second, fmt::format("config/{}", found->first));
+}
+
+void change_technique(Settings& settings, const std::string& name) {
+    static const std::vector<const KnobBase*> knobs = technique_knobs();
+    Settings changed = settings;
+    for (const KnobBase* knob : knobs)
+        changed.reset(*knob);
+    apply_technique(changed, name);
+    settings = std::move(changed);
 }
 
 } // namespace romascope

@@ -106,4 +106,9 @@ const std::vector<Technique>& techniques();
 /// Loads the technique's values into the settings. Throws Error (kBadInput) with the nearest name.
 void apply_technique(Settings& settings, const std::string& name);
 
+/// From whatever technique the settings have to that one: what apply_technique makes of the
+/// defaults, for all that tracers can be told and all that any technique sets; the rest stays.
+/// Throws Error (kBadInput) with the nearest name.
+void change_technique(Settings& settings, const std::string& name);
+
 } // namespace romascope

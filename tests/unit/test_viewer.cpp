@@ -5,9 +5,11 @@
 #include "app/viewer/navigate.h"
 #include "app/viewer/render_command.h"
 #include "app/viewer/screenshot_files.h"
+#include "app/viewer/session.h"
 #include "app/viewer/start_settings.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/tracers/occupancy/occupancy_knobs.h"
 
 #include <gtest/gtest.h>
 
@@ -217,6 +219,63 @@ TEST(Playback, StartsOverAtTheEnd) {
     EXPECT_NEAR(playback.advanced(3.75, 0.5, 0.0, 4.0), 0.25, 1e-12);
     EXPECT_NEAR(playback.advanced(1.0, 0.5, 25.0, 4.0), 1.04, 1e-12); // by frames, not by the clock
     EXPECT_EQ(playback.advanced(1.0, 0.5, 0.0, 0.0), 1.0);            // nothing that could play
+}
+
+TEST(Messages, WhatHoldsIsToldOnceAndWithdrawnWhenItNoLongerDoes) {
+    Messages messages;
+    const auto texts = [&] {
+        std::vector<std::string> all;
+        for (const Message& message : messages.all()) {
+            EXPECT_EQ(message.times, 1);
+            all.push_back(message.text);
+        }
+        return all;
+    };
+    using Texts = std::vector<std::string>;
+    Texts held;
+    messages.tell(Severity::info, "opened");
+    messages.replace(Severity::notice, held, {"a", "b"});
+    EXPECT_EQ(texts(), (Texts{"opened", "a", "b"}));
+    messages.replace(Severity::notice, held, {"b", "c"});
+    messages.replace(Severity::notice, held, {"b", "c"});
+    EXPECT_EQ(texts(), (Texts{"opened", "b", "c"}));
+    EXPECT_EQ(messages.all().back().severity, Severity::notice);
+    messages.replace(Severity::notice, held, {});
+    EXPECT_EQ(texts(), (Texts{"opened"}));
+    EXPECT_TRUE(held.empty());
+}
+
+TEST(Session, AChosenTechniqueIsTheCommandLinesWhicheverWasBefore) {
+    ASSERT_FALSE(techniques().empty());
+    for (const Technique& before : techniques()) {
+        for (const Technique& now : techniques()) {
+            Settings start(all_knobs());
+            start.set(kCamera, "nave");
+            start.set(kWidth, 33);
+            Settings wanted = start;
+            apply_technique(wanted, now.name);
+            Messages messages;
+            Session session(start, {}, {}, messages);
+            session.choose_technique(before.name);
+            session.set(kOccupancyResolution, 33); // by hand
+            session.choose_technique(now.name);
+            EXPECT_EQ(session.settings(), wanted) << before.name << ", then " << now.name;
+            EXPECT_EQ(session.technique(), now.name);
+            EXPECT_TRUE(messages.all().empty());
+        }
+    }
+}
+
+TEST(Session, AnUnknownTechniqueIsToldAndChangesNothing) {
+    Messages messages;
+    Session session(Settings(all_knobs()), {}, {}, messages);
+    session.choose_technique("roma-hash");
+    const Settings before = session.settings();
+    session.choose_technique("rona");
+    EXPECT_EQ(session.settings(), before);
+    EXPECT_EQ(session.technique(), "roma-hash");
+    ASSERT_EQ(messages.all().size(), 1u);
+    EXPECT_NE(messages.all()[0].text.find("did you mean 'roma'"), std::string::npos);
 }
 
 TEST_F(ViewerFiles, CommandNamesWhatIsNotDefault) {
