@@ -242,6 +242,8 @@ TEST_F(SpatialHashTest, WhatChangesTheMeaningOfCellsStartsAnew) {
     EXPECT_TRUE(is_fresh());
     settings_.set(kHashSmallest, 0.1);
     EXPECT_TRUE(is_fresh());
+    settings_.set(kHashJitter, 0.25);
+    EXPECT_TRUE(is_fresh()) << "cells hold samples from farther away than they take now";
     settings_.set(kRomaNormalOffset, 2.0);
     EXPECT_TRUE(is_fresh());
     settings_.set(kTracer, "dda");

@@ -34,10 +34,10 @@ TEST(ChangeGrid, HoldsTheBoundsInFewBlocks) {
         const float reach = std::exp2(exponent(random));
         const gpu::ChangeGrid grid = change_grid(bounds, reach);
         ASSERT_LE(std::max({grid.size.x, grid.size.y, grid.size.z}), 256);
-        ASSERT_LE(double(grid.size.x) * grid.size.y * grid.size.z, 1 << 17);
+        ASSERT_LE(double(grid.size.x) * grid.size.y * grid.size.z, 1 << 20);
         const float block = 1.0f / grid.blocks_per_metre;
-        ASSERT_GE(block, reach / 12.1f);
-        ASSERT_LE(block, std::max(reach / 11.9f, glm::length(bounds.extent())));
+        ASSERT_GE(block, reach / 24.1f);
+        ASSERT_LE(block, std::max(reach / 23.9f, glm::length(bounds.extent())));
         // No point of the bounds has to be brought back from beyond the last block.
         const glm::vec3 last = (bounds.max - grid.origin) * grid.blocks_per_metre;
         ASSERT_TRUE(glm::all(glm::lessThan(last, glm::vec3(grid.size))));

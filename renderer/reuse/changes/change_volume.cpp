@@ -7,13 +7,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace romascope {
 namespace {
 
 /// What is within reach is known to about one of these.
-constexpr float kBlocksPerReach = 12.0f;
-constexpr int kMostBlocks = 1 << 17;
+constexpr float kBlocksPerReach = 24.0f;
+constexpr int kMostBlocks = 1 << 20;
 /// How marked triangles are rounded asks for no more (triangle_cells.h).
 constexpr int kLongestSide = 256;
 
@@ -82,21 +83,27 @@ void ChangeVolume::begin(const FrameContext& frame, uint32_t first_vertex, float
     }
     bounds.min -= margin;
     bounds.max += margin;
-    bounds_ = bounds;
-    grid_ = change_grid(bounds, reach);
-    first_vertex_ = first_vertex;
+    release(); // so that nothing is held twice, and nothing has begun if memory runs out
+    const gpu::ChangeGrid grid = change_grid(bounds, reach);
     const size_t skipped = first_vertex * sizeof(glm::vec3);
-    const size_t words = static_cast<size_t>(blocks());
-    const size_t rows = static_cast<size_t>(grid_.size.y) * grid_.size.z;
-    followed_ = Buffer("followed vertices", scene.positions().bytes() - skipped);
-    moved_blocks_ =
-        Buffer("moved blocks", (1 + rows * gpu::row_words(grid_.size)) * sizeof(uint32_t));
-    row_distances_ = Buffer("row distances", words * sizeof(int32_t));
-    plane_squares_ = Buffer("plane squares", words * sizeof(int32_t));
-    last_changes_ = Buffer("last changes", gpu::kReaches * words * sizeof(uint32_t));
-    clear(last_changes_, frame.frame);
-    glCopyNamedBufferSubData(scene.positions().id(), followed_.id(), static_cast<GLintptr>(skipped),
-                             0, static_cast<GLsizeiptr>(followed_.bytes()));
+    const size_t rows = static_cast<size_t>(grid.size.y) * grid.size.z;
+    const size_t words = rows * grid.size.x;
+    Buffer followed("followed vertices", scene.positions().bytes() - skipped);
+    Buffer moved_blocks("moved blocks", (1 + rows * gpu::row_words(grid.size)) * sizeof(uint32_t));
+    Buffer row_distances("row distances", words * sizeof(int32_t));
+    Buffer plane_squares("plane squares", words * sizeof(int32_t));
+    Buffer last_changes("last changes", gpu::kReaches * words * sizeof(uint32_t));
+    clear(last_changes, frame.frame);
+    glCopyNamedBufferSubData(scene.positions().id(), followed.id(), static_cast<GLintptr>(skipped),
+                             0, static_cast<GLsizeiptr>(followed.bytes()));
+    grid_ = grid;
+    bounds_ = bounds;
+    first_vertex_ = first_vertex;
+    followed_ = std::move(followed);
+    moved_blocks_ = std::move(moved_blocks);
+    row_distances_ = std::move(row_distances);
+    plane_squares_ = std::move(plane_squares);
+    last_changes_ = std::move(last_changes);
 }
 
 void ChangeVolume::release() {
@@ -161,7 +168,8 @@ void ChangeVolume::spread(const FrameContext& frame, const Reaches& reaches) {
         return std::min(static_cast<double>(reach) * double{grid_.blocks_per_metre},
                         double{kLongestSide});
     };
-    const int farthest = static_cast<int>(in_blocks(reaches.back()));
+    // Of blocks so far apart one less lies between.
+    const int farthest = 1 + static_cast<int>(in_blocks(reaches.back()));
     const Program& planes = plane_program_.get(frame.shaders, plane_variant());
     planes.use();
     set_grid(planes);

@@ -9,11 +9,13 @@
 
 namespace romascope {
 
-/// Blocks of `reach` metres over some, that cover `bounds`; larger where there would be too many.
+/// Blocks that cover `bounds`: a 24th of `reach` on a side, in metres; larger where more than
+/// 1,048,576 or more than 256 along a side would be needed.
 gpu::ChangeGrid change_grid(const Bounds& bounds, float reach);
 
-/// For each block of the scene the frame in which something within reach of it last moved: by its
-/// triangles, where they were and where they are. The same vertices give the same frames.
+/// For each block of the scene the frame in which something within reach of any point of it last
+/// moved: by the blocks that triangles touch, where they were and where they are. Nothing within
+/// reach is missed. The same vertices give the same frames.
 class ChangeVolume {
 public:
     /// Metres from a block within which moves are told, from the shortest on.
@@ -31,8 +33,8 @@ public:
     /// along an axis. Smaller moves add up over calls.
     void update(const FrameContext& frame, const Reaches& reaches, float tolerance);
 
-    /// For what includes changes.glsl: binds a storage block and sets the uniforms of `program`,
-    /// which is in use.
+    /// For what includes change_grid.glsl and reads last_changes, as stale_cells.glsl does: binds a
+    /// storage block and sets the uniforms of `program`, which is in use.
     void bind(const Program& program, GLuint slot) const;
 
     const gpu::ChangeGrid& grid() const { return grid_; }

@@ -41,22 +41,24 @@ bool CellRenewal::follow(const FrameContext& frame, uint32_t max_age) {
 
 void CellRenewal::begin(const FrameContext& frame) {
     const Settings& settings = frame.settings;
-    begun_ = true;
-    moved_ = needed_ = false;
+    begun_ = moved_ = needed_ = false; // until all is there
     const float radius = ambient_occlusion_radius(settings);
     if (!first_vertex_ || !std::isfinite(radius) || !ChangeVolume::takes(frame.scene)) {
         changes_.release();
+        begun_ = true;
         return;
     }
     const float cell = OccupancyGrid::fit(frame.scene.bounds(), settings.get(kOccupancyResolution),
                                           glm::vec3(0.0f))
                            .cell_size;
+    const float reach = radius + kTracedCells * cell;
+    changes_.begin(frame, *first_vertex_, reach);
     tolerance_ = kToleratedCells * cell;
-    cell_reach_ = radius + kTracedCells * cell;
-    changes_.begin(frame, *first_vertex_, cell_reach_);
-    // Cells up to half a block share the first reach.
+    cell_reach_ = reach;
+    // Cells up to a block share the first reach.
     const float block = 1.0f / changes_.grid().blocks_per_metre;
-    first_level_ = gpu::cell_level(0.5f * block / smallest_cell_size(settings));
+    first_level_ = gpu::cell_level(block / smallest_cell_size(settings));
+    begun_ = true;
 }
 
 void CellRenewal::release() {

@@ -38,12 +38,13 @@ uint32_t max_age(const Settings& settings) {
                                     : gpu::kMaxAge;
 }
 
-/// The settings with everything default that changes nothing of what a sample in a cell means.
+/// The settings with everything default that changes nothing of what a sample in a cell means, nor
+/// of where in the cell's surroundings it may come from.
 Settings meaning_of(const Settings& settings) {
     Settings meaning(settings.table());
     std::vector<const KnobBase*> knobs = tracer_knobs();
     knobs.insert(knobs.end(), {&kAoRadius, &kHashCapacity, &kHashSearch, &kHashProbing,
-                               &kHashSmallest, &kHashFixedSize, &kHashNormalBins});
+                               &kHashSmallest, &kHashFixedSize, &kHashNormalBins, &kHashJitter});
     for (const KnobBase* knob : knobs)
         meaning.set_value(*knob, settings.value(*knob));
     return meaning;

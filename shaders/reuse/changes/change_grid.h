@@ -2,7 +2,8 @@
 // Blocks of space, each with the frame in which something within reach of it last moved: what the
 // shaders and their CPU twin decide alike.
 //
-// Distances are those between the centres of blocks: off by less than the diagonal of one.
+// Distances are those between the nearest points of two blocks: never longer than between what lies
+// in them, shorter by less than the two diagonals.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus
@@ -41,6 +42,10 @@ SHARED_FN ivec3 block_at(uint index, ivec3 size) {
     int row = int(index) / size.x;
     return ivec3(int(index) - row * size.x, row % size.y, row / size.y);
 }
+
+/// Blocks between two that lie so many blocks apart along an axis.
+SHARED_FN int gap(int apart) { return max(apart - 1, 0); }
+SHARED_FN int square(int x) { return x * x; }
 
 /// Words of a row's bits, one for each block.
 SHARED_FN int row_words(ivec3 size) { return (size.x + 31) >> 5; }

@@ -5,8 +5,7 @@
 // In:   positions; indices; followed: the moving vertices as they were when they were last found to
 //       have moved
 // Out:  moved_blocks: a word 1 if some triangle is too large to be marked, then rows of bits
-// Host: see change_grid.glsl; first_vertex: the first that moves; triangle_count; tolerance, metres;
-//       first_float: see followed_vertices.glsl
+// Host: see change_grid.glsl, followed_vertices.glsl; triangle_count
 #include "shaders/reuse/changes/change_grid.glsl"
 #include "shaders/reuse/changes/followed_vertices.glsl"
 #include "shaders/tracers/occupancy/triangle_cells.h"

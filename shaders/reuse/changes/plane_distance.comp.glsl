@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// For each block the square of the distance to the nearest marked one of its plane z, in blocks.
+// For each block the square of the distance to the nearest marked one of its plane z, in blocks,
+// from box to box.
 //
 // In:   row_distances: see row_distance.comp.glsl
 // Out:  plane_squares, a word a block: more than farthest * farthest if there is none that near
@@ -18,12 +19,12 @@ void main() {
     ivec3 block = block_at(index, grid_size);
     int nearest = kFarAway * kFarAway;
     // From the block outwards, until what is farther cannot be nearer.
-    for (int across = 0; across <= farthest && across * across < nearest; ++across) {
+    for (int across = 0; across <= farthest && square(gap(across)) < nearest; ++across) {
         for (int side = -1; side <= 1; side += 2) {
             int y = block.y + side * across;
             if (y >= 0 && y < grid_size.y) {
                 int along = row_distances[int(index) + side * across * grid_size.x];
-                nearest = min(nearest, along * along + across * across);
+                nearest = min(nearest, square(gap(along)) + square(gap(across)));
             }
         }
     }

@@ -25,11 +25,11 @@ void main() {
     ivec3 block = block_at(index, grid_size);
     int plane = grid_size.x * grid_size.y;
     int nearest = kFarAway * kFarAway;
-    for (int across = 0; across <= farthest && across * across < nearest; ++across) {
+    for (int across = 0; across <= farthest && square(gap(across)) < nearest; ++across) {
         for (int side = -1; side <= 1; side += 2) {
             int z = block.z + side * across;
             if (z >= 0 && z < grid_size.z)
-                nearest = min(nearest, plane_squares[int(index) + side * across * plane] + across * across);
+                nearest = min(nearest, plane_squares[int(index) + side * across * plane] + square(gap(across)));
         }
     }
     for (int i = 0; i < kReaches; ++i)
