@@ -82,6 +82,17 @@ std::vector<glm::vec3> rectangle(glm::vec3 centre, glm::vec3 normal, float half_
             centre - u - v, centre + u + v, centre - u + v};
 }
 
+void add_box(std::vector<glm::vec3>& corners, glm::vec3 centre, float half_side) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (const float side : {-1.0f, 1.0f}) {
+            glm::vec3 normal(0.0f);
+            normal[axis] = side;
+            for (const glm::vec3 corner : rectangle(centre + half_side * normal, normal, half_side))
+                corners.push_back(corner);
+        }
+    }
+}
+
 glm::vec3 random_direction(std::mt19937& random) {
     std::normal_distribution<float> normal;
     return glm::normalize(glm::vec3(normal(random), normal(random), normal(random)));

@@ -37,6 +37,9 @@ Scene scene_of_triangles(const std::vector<glm::vec3>& corners);
 /// A rectangle of two triangles around `centre`, at right angles to `normal`.
 std::vector<glm::vec3> rectangle(glm::vec3 centre, glm::vec3 normal, float half_side);
 
+/// Adds the six sides of a cube around `centre`.
+void add_box(std::vector<glm::vec3>& corners, glm::vec3 centre, float half_side);
+
 glm::vec3 random_direction(std::mt19937& random);
 
 /// So that rays start beyond all cells of the plane they start on, however they graze it; the

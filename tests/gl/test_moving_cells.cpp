@@ -51,17 +51,6 @@ protected:
         return scene;
     }
 
-    static void add_box(std::vector<glm::vec3>& corners, glm::vec3 centre, float half) {
-        for (int axis = 0; axis < 3; ++axis) {
-            for (const float side : {-1.0f, 1.0f}) {
-                glm::vec3 normal(0.0f);
-                normal[axis] = side;
-                for (const glm::vec3 corner : rectangle(centre + half * normal, normal, half))
-                    corners.push_back(corner);
-            }
-        }
-    }
-
     static Pose pose(glm::dvec3 place) {
         Pose pose{{glm::dmat4(1.0)}, {}};
         pose.node_to_world[0][3] = glm::dvec4(place, 1.0);

@@ -127,6 +127,15 @@ TEST_F(ShearTest, MemoryIsThatOfTheCellsAndGrowsOnly) {
     const size_t places = 16 * 2 * (30 + 2 * (128 + 4) + 1);
     EXPECT_EQ(tracer_.shearing().bytes(),
               16 * texels + 8 * places + sizeof(gpu::ShearGrid) + 16 * sizeof(gpu::ShearMap));
+    // Few invocations take packings of the base map as well.
+    settings_.set(kRomaInvocations, Invocations::few);
+    prepare({{128, 20, 30}, 128, 4, 1, 0.05}, 5);
+    const ShearPackings packings = shear_packings(grid_.size, 0);
+    EXPECT_EQ(tracer_.shearing().bytes(), 16 * texels + 4 * shear_packing_words(packings) +
+                                              8 * places + sizeof(gpu::ShearGrid) +
+                                              16 * sizeof(gpu::ShearMap));
+    settings_.set(kRomaInvocations, Invocations::many);
+    prepare({{128, 20, 30}, 128, 4, 1, 0.05}, 5);
     // Other candidates have other axes, so other columns: no smaller buffer, no other map.
     const size_t before = tracer_.shearing().bytes();
     for (unsigned seed = 6; seed < 12; ++seed) {

@@ -14,18 +14,8 @@ protected:
     /// A closed room of 4 m with a block in it: every ray meets something.
     static Scene room() {
         std::vector<glm::vec3> corners;
-        const auto add_box = [&](glm::vec3 centre, float half) {
-            for (int axis = 0; axis < 3; ++axis) {
-                for (const float side : {-1.0f, 1.0f}) {
-                    glm::vec3 normal(0.0f);
-                    normal[axis] = side;
-                    for (const glm::vec3 corner : rectangle(centre + half * normal, normal, half))
-                        corners.push_back(corner);
-                }
-            }
-        };
-        add_box({0, 0, 0}, 2.0f);
-        add_box({0.6f, -1.2f, 0.4f}, 0.7f);
+        add_box(corners, {0, 0, 0}, 2.0f);
+        add_box(corners, {0.6f, -1.2f, 0.4f}, 0.7f);
         return scene_of_triangles(corners);
     }
 
