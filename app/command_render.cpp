@@ -104,11 +104,16 @@ int render(const RenderOptions& options) {
     Scene scene = options.memory.load(file);
     Showing showing(scene, settings, options.path);
     if (options.jump) {
-        if (scene.motion.parts.empty() || scene.motion.animations.empty())
-            throw Error(fmt::format("{}: nothing in it moves, so --jump has nothing to show",
-                                    file.string()),
-                        kBadInput);
+        const bool rests = find_animation(scene, settings.get(kAnimation)) < 0;
+        if (scene.motion.parts.empty() || rests)
+            throw Error(
+                fmt::format(
+                    "{}: nothing in it moves{}, so --jump has nothing to show", file.string(),
+                    rests && !scene.motion.animations.empty() ? " with --animation none" : ""),
+                kBadInput);
         showing.jump({options.jump->first, options.jump->second});
+        if (showing.jumps_in_vain())
+            tell_notice(file, "stands after --jump as before it: nothing changes");
     }
     if (showing.is_asked_in_vain())
         tell_notice(file, "has no animation: --time and --fps change nothing");
@@ -231,10 +236,8 @@ Command add_render_command(CLI::App& app) {
     command->add_flag("--no-cache", options->no_cache, "compute the reference anew");
     command->add_flag("--print-config", options->print_config,
                       "print the settings in effect as TOML and stop");
-    command
-        ->add_option("--shaders", options->shaders,
-                     "read shaders from this folder instead of the program")
-        ->check(CLI::ExistingDirectory);
+    add_shader_folder(*command, options->shaders,
+                      "read shaders from this folder instead of the program");
     options->memory.add_to(*command);
     options->backend.add_to(*command);
     return [options] { return render(*options); };

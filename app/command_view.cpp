@@ -62,10 +62,8 @@ Command add_view_command(CLI::App& app) {
     options->settings.add_to(
         *command, "size of the window in pixels, like 1280x720",
         fmt::format("frames after which the picture rests; else {}", kFramesToRest));
-    command
-        ->add_option("--shaders", options->viewer.shaders,
-                     "read shaders from this folder, and again whenever they change")
-        ->check(CLI::ExistingDirectory);
+    add_shader_folder(*command, options->viewer.shaders,
+                      "read shaders from this folder, and again whenever they change");
     command
         ->add_option("--screenshots", options->viewer.screenshots,
                      "folder for screenshots; else romascope/ in your pictures")

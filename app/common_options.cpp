@@ -24,6 +24,17 @@ void BackendOptions::add_to(CLI::App& command) {
     command.add_flag("--verbose", verbose, "tell which backend was taken, and why");
 }
 
+void add_shader_folder(CLI::App& command, std::filesystem::path& folder, const std::string& help) {
+    command.add_option("--shaders", folder, help)
+        ->type_name("FOLDER")
+        ->check([](const std::string& name) {
+            std::error_code code;
+            if (!std::filesystem::is_directory(name, code))
+                throw Error(fmt::format("--shaders: there is no folder '{}'", name), kBadInput);
+            return std::string();
+        });
+}
+
 std::unique_ptr<Context> BackendOptions::make_context() const {
     ContextRequest request;
     request.backend = backend_from_name(backend);

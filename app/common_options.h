@@ -4,6 +4,7 @@
 
 #include "renderer/gl/context.h"
 
+#include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
@@ -29,5 +30,8 @@ struct BackendOptions {
     /// Makes the context; with --verbose tells on stderr what was taken and why.
     std::unique_ptr<Context> make_context() const;
 };
+
+/// --shaders FOLDER; refuses, as the command line is read, what is no folder.
+void add_shader_folder(CLI::App& command, std::filesystem::path& folder, const std::string& help);
 
 } // namespace romascope

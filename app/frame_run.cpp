@@ -72,6 +72,13 @@ Showing::Showing(const Scene& scene, const Settings& settings,
                             ? "the scene has one: give --path for each, as eye/target/degrees"
                             : "give --path again for each further one"),
             kBadInput);
+    const std::vector<Camera> cameras = cameras_of_stops();
+    if (!time_goes_on() && !cameras.empty() &&
+        std::ranges::all_of(cameras, [&](const Camera& c) { return same_view(c, cameras[0]); }))
+        throw Error(fmt::format("--path {}: all cameras of the flight are the same one: give "
+                                "another, or --camera to stand still",
+                                stops.front()),
+                    kBadInput);
     camera_ = camera_of_frame();
 }
 
@@ -84,8 +91,7 @@ void Showing::go_to(int frame) {
     if (time_goes_on())
         pose_ = pose_of_frame(scene_, settings_, frame);
     if (jump_ && frame == jump_->frame)
-        pose_ = pose_at(scene_.motion, find_animation(scene_, settings_.get(kAnimation)),
-                        jump_->seconds);
+        pose_ = pose_after_jump();
     camera_ = camera_of_frame();
 }
 
@@ -95,12 +101,24 @@ bool Showing::changed() const {
 
 bool Showing::time_goes_on() const { return settings_.get(kFps) != 0.0 && !scene_.motion.empty(); }
 
-Camera Showing::camera_of_frame() const {
-    if (stops_.empty())
-        return chosen_camera(scene_, settings_, pose_);
+Pose Showing::pose_after_jump() const {
+    return pose_at(scene_.motion, find_animation(scene_, settings_.get(kAnimation)),
+                   jump_->seconds);
+}
+
+bool Showing::jumps_in_vain() const { return jump_ && pose_after_jump() == pose_; }
+
+std::vector<Camera> Showing::cameras_of_stops() const {
     std::vector<Camera> cameras;
     for (const std::string& stop : stops_)
         cameras.push_back(named_camera(scene_, stop, pose_));
+    return cameras;
+}
+
+Camera Showing::camera_of_frame() const {
+    if (stops_.empty())
+        return chosen_camera(scene_, settings_, pose_);
+    const std::vector<Camera> cameras = cameras_of_stops();
     const int last = std::max(settings_.get(kFrames) - 1, 1);
     return camera_along(cameras, static_cast<double>(frame_) / last);
 }

@@ -33,12 +33,14 @@ class Showing {
 public:
     /// Keeps references. `stops`: cameras that all frames together fly through, as the setting
     /// render.camera names one, or "all"; with none the camera of the settings stands. Throws Error
-    /// (kBadInput) if the scene lacks what the settings or stops name, or if there is one stop
-    /// only.
+    /// (kBadInput) if the scene lacks what the settings or stops name, if there is one stop only,
+    /// or if all of them see the same and time stands still.
     Showing(const Scene& scene, const Settings& settings,
             const std::vector<std::string>& stops = {});
     /// Time stands still until that frame and from it on.
     void jump(const TimeJump& jump) { jump_ = jump; }
+    /// Whether the scene stands after the jump as before it.
+    bool jumps_in_vain() const;
     void go_to(int frame); ///< counted from 0
     /// Whether the settings ask for a time or a course of time though the scene has no animation.
     bool is_asked_in_vain() const;
@@ -50,7 +52,9 @@ public:
 
 private:
     bool time_goes_on() const;
+    std::vector<Camera> cameras_of_stops() const;
     Camera camera_of_frame() const;
+    Pose pose_after_jump() const;
 
     const Scene& scene_;
     const Settings& settings_;

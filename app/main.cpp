@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/build_facts.h"
 #include "app/commands.h"
+#include "app/usage.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <new>
+#include <span>
 #include <vector>
 
 namespace romascope {
@@ -29,37 +30,6 @@ std::string one_line(std::string text) {
     return text;
 }
 
-/// For a word of the command line that means nothing: the command or option it may stand for.
-std::string unknown_word(const CLI::App& app, const std::string& word) {
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
-    std::vector<std::string> names;
-    if (chosen.empty() && !word.starts_with('-')) {
-        for (const CLI::App* command : app.get_subcommands({}))
-            names.push_back(command->get_name());
-        return fmt::format("unknown command '{}': did you mean '{}'? (there are {})", word,
-                           nearest_name(word, names), fmt::join(names, ", "));
-    }
-    if (!word.starts_with('-'))
-        return fmt::format("'{}' is one argument too many", word);
-    for (const CLI::Option* option : (chosen.empty() ? &app : chosen.front())->get_options())
-        for (const std::string& name : option->get_lnames())
-            names.push_back("--" + name);
-    const std::string typed = word.substr(0, word.find('='));
-    if (!typed.starts_with("--"))
-        return fmt::format("unknown option '{}'", typed);
-    return fmt::format("unknown option '{}': did you mean '{}'?", typed,
-                       nearest_name(typed, names));
-}
-
-std::string usage_error(const CLI::App& app, const CLI::ParseError& error) {
-    const std::vector<std::string> unknown = app.remaining(true);
-    const bool extra = dynamic_cast<const CLI::ExtrasError*>(&error) && !unknown.empty();
-    const std::vector<CLI::App*> chosen = app.get_subcommands();
-    return fmt::format("{} (see 'romascope{} --help')",
-                       extra ? unknown_word(app, unknown.front()) : error.what(),
-                       chosen.empty() ? "" : " " + chosen.front()->get_name());
-}
-
 int run(int argc, char** argv) {
     CLI::App app("Which fast visibility method is good enough for a scene, and what does it cost?",
                  "romascope");
@@ -73,6 +43,8 @@ int run(int argc, char** argv) {
         const Command command = commands.emplace_back(add(app));
         app.get_subcommands({}).back()->callback([&status, command] { status = command(); });
     }
+    check_option_values(app,
+                        std::span<const char* const>(argv, static_cast<size_t>(argc)).subspan(1));
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {

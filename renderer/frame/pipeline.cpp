@@ -26,11 +26,6 @@ glm::vec2 picture_offset(const Settings& settings, uint32_t frame) {
     return glm::vec2(gpu::unit_float(place.x), gpu::unit_float(place.y)) - 0.5f;
 }
 
-bool same_camera(const Camera& a, const Camera& b) {
-    return a.eye == b.eye && a.forward == b.forward && a.up == b.up &&
-           a.vertical_fov == b.vertical_fov;
-}
-
 } // namespace
 
 std::unique_ptr<Tracer> make_tracer(const std::string& name) {
@@ -64,6 +59,11 @@ Camera named_camera(const Scene& scene, const std::string& text, const Pose& pos
 
 Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose) {
     return named_camera(scene, settings.get(kCamera), pose);
+}
+
+bool same_view(const Camera& a, const Camera& b) {
+    return a.eye == b.eye && a.forward == b.forward && a.up == b.up &&
+           a.vertical_fov == b.vertical_fov;
 }
 
 View view_of_frame(const Settings& settings, const Camera& camera, const Bounds& bounds,
@@ -101,7 +101,7 @@ void Pipeline::set_pose(const Pose& pose) {
 }
 
 void Pipeline::restart_on_change(const Settings& settings, const Camera& camera) {
-    if (last_settings_ != settings || !same_camera(last_camera_, camera))
+    if (last_settings_ != settings || !same_view(last_camera_, camera))
         mean_.reset();
     const Jump jump = last_settings_ ? jump_between(*last_settings_, settings) : Jump::everything;
     if (jump == Jump::everything)

@@ -102,6 +102,9 @@ Camera named_camera(const Scene& scene, const std::string& text, const Pose& pos
 /// The one that the settings name.
 Camera chosen_camera(const Scene& scene, const Settings& settings, const Pose& pose);
 
+/// Whether both see the same, whatever they are called.
+bool same_view(const Camera& a, const Camera& b);
+
 /// Camera and picture of frame `frame` of a scene with these bounds.
 View view_of_frame(const Settings& settings, const Camera& camera, const Bounds& bounds,
                    uint32_t frame);

@@ -31,8 +31,9 @@ Camera camera_along(std::span<const Camera> stops, double way) {
     if (t == 0.0f)
         return from;
     Camera camera = from;
-    camera.eye =
-        catmull_rom(stop(leg == 0 ? 0 : leg - 1).eye, from.eye, to.eye, stop(leg + 2).eye, t);
+    if (from.eye != to.eye) // else it would leave and come back
+        camera.eye =
+            catmull_rom(stop(leg == 0 ? 0 : leg - 1).eye, from.eye, to.eye, stop(leg + 2).eye, t);
     const glm::mat3 turned =
         glm::mat3_cast(glm::normalize(glm::slerp(orientation(from), orientation(to), t)));
     camera.up = turned[1];

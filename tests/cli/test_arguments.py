@@ -35,11 +35,37 @@ class Words(CliTest):
                        "--technique", "--report", "--reference", "--backend", "--egl-device",
                        "--time", "--fps", "--animation", "--max-memory"):
             with self.subTest(option):
-                self.refuse_render(option, says=option)
-        self.refuse("render", "scene.glb", "-o", says="--output")
+                self.refuse_render(option, says=[f"{option} needs ", "nothing stands after it"])
+                self.refuse_render(option, "--frames", "2",
+                                   says=[f"{option} needs ", "nothing stands before '--frames'"])
+        self.refuse("render", "scene.glb", "-o", says="--output needs FILE")
+        self.refuse("bench", "scene.glb", "--vary", "--frames", "1", says="--vary needs KEY=A,B,C")
+        self.refuse_render("--frames=", "2", says="--frames needs N: nothing stands after its '='")
+        self.refuse_render("--jump", says="--jump needs FRAME SECONDS: nothing")
+        for words in (("--jump", "2"), ("--jump=2",)):
+            self.refuse_render(*words, "--frames", "4",
+                               says="--jump needs FRAME SECONDS: only '2' stands before '--frames'")
+
+    def test_negative_numbers_are_values(self):
+        self.refuse_render("--time", "-1", says=["render.time", "'-1'"])
 
     def test_twice(self):
-        self.refuse_render("--seed", "1", "--seed", "2", says="--seed")
+        self.refuse_render("--seed", "1", "--seed", "2", says="--seed is there twice")
+        self.refuse_render("--jump", "1", "0", "--jump", "1", "0", says="--jump is there twice")
+
+    def test_value_of_a_flag(self):
+        self.refuse_render("--flicker=yes", says="--flicker takes no value: leave out '=yes'")
+        self.refuse("--version=3", says="--version takes no value")
+
+    def test_values_that_are_no_numbers(self):
+        self.refuse_render("--jump", "a", "1",
+                           says="--jump cannot be 'a 1': it takes FRAME SECONDS, a whole number and a")
+        self.refuse_render("--reference", "x", says="--reference cannot be 'x': it takes N, a whole")
+        self.refuse("bench", "--seconds", "x", says="--seconds cannot be 'x': it takes S, a number")
+
+    def test_what_must_be_there(self):
+        self.refuse("sheet", says="--output is missing: picture")
+        self.refuse("compare", "a.png", says="TEST is missing: the picture to judge")
 
     def test_one_word_too_many(self):
         self.refuse_render("scene.glb", says=["'scene.glb'", "too many"])
@@ -114,7 +140,7 @@ class Values(CliTest):
         self.refuse_render("--set", "view.slice=1.1", says="0 to 1")
 
     def test_shader_folder(self):
-        self.refuse_render("--shaders", "nowhere", says="nowhere")
+        self.refuse_render("--shaders", "nowhere", says="there is no folder 'nowhere'")
         # The folder is there but holds no shaders: only the work itself finds out.
         empty = self.folder / "empty"
         empty.mkdir()

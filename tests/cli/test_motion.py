@@ -73,7 +73,12 @@ class Moving(CliTest):
                             (("--jump", "1", "1", "--fps", "2"), "--fps")):
             self.refuse("render", "moving.gltf", "-o", "out.png", *still, *words, says=[says])
         self.refuse("render", "cornell", "-o", "out.png", *still, "--jump", "1", "1",
-                    says=["nothing in it moves"])
+                    says=["nothing in it moves,"])
+        self.refuse("render", "moving.gltf", "-o", "out.png", *still, "--jump", "1", "1",
+                    "--animation", "none", says=["nothing in it moves with --animation none"])
+        told = self.succeed("render", "moving.gltf", "-o", "out.png", "--size", "8x8", *still,
+                            "--time", "0.25", "--jump", "1", "0.25").stderr
+        self.assertRegex(told, r"\Anotice: moving.gltf: stands after --jump as before it[^\n]*\n\Z")
 
     def test_lag(self):
         def lag(*words):

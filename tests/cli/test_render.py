@@ -163,6 +163,11 @@ class Reference(CliTest):
         self.refuse_render("--path", "all", "--camera", "front", "--frames", "2",
                            says=("--camera stands still",))
         self.refuse_render("--path", "front", "--path", "", "--frames", "2", says=("--path needs",))
+        for same in ("front", "front", "front"), ("0,1,2/0,0,0/60", "0,1,2/0,0,0/60"):
+            words = [word for camera in same for word in ("--path", camera)]
+            self.refuse_render(*words, "--frames", "2", says=(same[0], "the same one"))
+        self.render("rest.png", "--path", "front", "--path", "front", "--path", "above", "--frames",
+                    "2")
         self.refuse_render("--path", "front", "--path", "abve", "--frames", "2",
                            says=("did you mean 'above'",))
 

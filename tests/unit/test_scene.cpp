@@ -179,6 +179,17 @@ TEST(CameraPathTest, GoesEvenlyAlongALine) {
         EXPECT_LT(glm::distance(camera_along(stops, way).eye, glm::vec3(8 * way, 1, 0)), 1e-4f);
 }
 
+TEST(CameraPathTest, RestsWhereACameraIsGivenTwice) {
+    const std::vector<Camera> stops = {
+        camera_towards({0, 1, 0}, {1, 0, 0}, 1.0f), camera_towards({4, 1, 0}, {0, 0, 1}, 1.0f),
+        camera_towards({4, 1, 0}, {0, 0, 1}, 1.0f), camera_towards({4, 1, 9}, {-1, 0, 0}, 1.0f)};
+    for (double way = 0.34; way < 0.66; way += 0.01) {
+        EXPECT_EQ(camera_along(stops, way).eye, stops[1].eye) << way;
+        EXPECT_LT(glm::distance(camera_along(stops, way).forward, stops[1].forward), 1e-6f) << way;
+    }
+    EXPECT_GT(glm::distance(camera_along(stops, 0.7).eye, stops[1].eye), 0.01f);
+}
+
 TEST(CameraPathTest, HasNoKinksAndTurnsTheShortestWay) {
     const std::vector<Camera> stops = {camera_towards({0, 0, 0}, {0, 0, -1}, 1.0f),
                                        camera_towards({1, 0, 0}, {1, 0, 0}, 1.0f),
