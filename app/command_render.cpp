@@ -174,10 +174,8 @@ int render(const RenderOptions& options) {
         facts.errors = judge(truth, run.picture, samples);
         if (flicker)
             facts.errors->flicker = flicker->value();
-        if (lag) {
+        if (lag)
             facts.errors->lag = lag->value();
-            facts.errors->nothing_to_lag = !facts.errors->lag;
-        }
         if (!options.reference_output.empty())
             write_image(options.reference_output, truth.visibility);
         if (!options.error_map.empty())
@@ -190,8 +188,8 @@ int render(const RenderOptions& options) {
         write_file_atomically(options.report, report_json(facts));
     if (options.table)
         fmt::print("{}", report_table(facts));
-    else if (facts.errors && options.report.empty())
-        fmt::print("{}", error_table(*facts.errors)); // asked for, and nobody would be told
+    else if (options.report.empty())
+        fmt::print("{}", error_table(facts)); // else nobody would be told what was asked for
     return 0;
 }
 

@@ -114,7 +114,10 @@ std::string report_json(const ReportFacts& facts) {
     return pretty(json);
 }
 
-std::string error_table(const ReportErrors& errors) {
+std::string error_table(const ReportFacts& facts) {
+    if (!facts.errors)
+        return {};
+    const ReportErrors& errors = *facts.errors;
     std::string text = fmt::format("against {} samples per pixel ({})\n", errors.samples,
                                    errors.reference_from_cache
                                        ? "from the cache"
@@ -127,7 +130,7 @@ std::string error_table(const ReportErrors& errors) {
         text += fmt::format("{:<20} {:>12.6f}\n", "flicker", *errors.flicker);
     if (errors.lag)
         text += fmt::format("{:<20} {:>12}\n", "lag in frames", *errors.lag);
-    if (errors.nothing_to_lag)
+    else if (facts.jumped_to)
         text += "no lag: the jump changes ambient occlusion nowhere by 0.2\n";
     return text;
 }
@@ -172,7 +175,7 @@ std::string report_table(const ReportFacts& facts) {
     }
     if (facts.errors) {
         text += '\n';
-        text += error_table(*facts.errors);
+        text += error_table(facts);
     }
     return text;
 }

@@ -24,8 +24,7 @@ struct ReportErrors {
     bool reference_from_cache = false;
     double flip = 0, rmse = 0, mae = 0, bias = 0;
     std::optional<double> flicker; ///< see Flicker
-    std::optional<int> lag;        ///< frames, see LagWatch
-    bool nothing_to_lag = false;   ///< a jump changed the truth nowhere by as much as LagWatch asks
+    std::optional<int> lag;        ///< frames; none after a jump: see LagWatch::value
 };
 
 /// What went wrong in any frame of a flight.
@@ -58,8 +57,8 @@ struct ReportFacts {
 /// Pretty-printed JSON, keys in a fixed order.
 std::string report_json(const ReportFacts& facts);
 
-/// The errors for people, a line each.
-std::string error_table(const ReportErrors& errors);
+/// The errors for people, a line each; empty if there are none.
+std::string error_table(const ReportFacts& facts);
 
 /// The same for people: a table of passes, structures and errors.
 std::string report_table(const ReportFacts& facts);

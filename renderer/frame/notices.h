@@ -9,8 +9,9 @@
 
 namespace romascope {
 
-/// What the settings ask for and this driver cannot do with a scene of this size, so that it is
-/// done in another way: a line each, which goes on after the scene's name.
+/// What the settings ask for and does not come, a line each, which goes on after the scene's name:
+/// what this driver cannot do with a scene of this size, so that it is done in another way; a view
+/// of a stage that is off.
 std::vector<std::string> notices_of(const Settings& settings, const GpuScene& scene);
 
 } // namespace romascope

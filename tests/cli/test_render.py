@@ -156,6 +156,12 @@ class Reference(CliTest):
                     "5", *one)
         self.assertEqual(self.path("flown.hdr").read_bytes(), self.path("above.hdr").read_bytes())
 
+    def test_view_of_a_stage_that_is_off(self):
+        view = ("render", "scene.glb", "-o", "out.png", "--size", "8x8", "--set", "frame.view=history")
+        self.assertEqual(self.succeed(*view).stderr, "notice: scene.glb: frame.view=history has "
+                         "nothing to show without temporal.enabled=true\n")
+        self.assertEqual(self.succeed(*view, "--set", "temporal.enabled=true").stderr, "")
+
     def test_flight_refused(self):
         self.refuse_render("--path", "all", says=("--frames 2",))
         self.refuse_render("--path", "front", "--frames", "2",
