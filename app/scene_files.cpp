@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/scene_files.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -84,9 +84,9 @@ fs::path find_scene(const std::string& file_or_name) {
     const fs::path path(file_or_name);
     if (path.has_extension() || path.has_parent_path() || names.empty())
         throw Error(fmt::format("there is no scene file '{}'", file_or_name), kBadInput);
-    throw Error(fmt::format("there is no scene '{}': did you mean '{}'? (built in: {}; or give a "
+    throw Error(fmt::format("there is no scene '{}'{} (built in: {}; or give a "
                             ".gltf or .glb file)",
-                            file_or_name, nearest_name(file_or_name, names),
+                            file_or_name, did_you_mean(file_or_name, names),
                             fmt::join(names, ", ")),
                 kBadInput);
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/usage.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -104,8 +104,8 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
     if (&command == &app && !word.starts_with('-')) {
         for (const CLI::App* known : app.get_subcommands({}))
             names.push_back(known->get_name());
-        return fmt::format("unknown command '{}': did you mean '{}'? (there are {})", word,
-                           nearest_name(word, names), fmt::join(names, ", "));
+        return fmt::format("unknown command '{}'{} (there are {})", word, did_you_mean(word, names),
+                           fmt::join(names, ", "));
     }
     if (!word.starts_with('-'))
         return fmt::format("'{}' is one argument too many", word);
@@ -115,8 +115,7 @@ std::string unknown_word(const CLI::App& app, const std::string& word) {
     const std::string typed = word.substr(0, word.find('='));
     if (!typed.starts_with("--"))
         return fmt::format("unknown option '{}'", typed);
-    return fmt::format("unknown option '{}': did you mean '{}'?", typed,
-                       nearest_name(typed, names));
+    return fmt::format("unknown option '{}'{}", typed, did_you_mean(typed, names));
 }
 
 /// "FRAME SECONDS, a whole number and a number": of options whose values the parser reads, which

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "app/bench/variants.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/frame/idle_knobs.h"
 #include "renderer/frame/pipeline.h"
 #include "renderer/reuse/running_mean.h"
@@ -223,8 +223,8 @@ size_t find_variant(const std::vector<BenchVariant>& variants, const std::string
     if (found.size() == 1)
         return found.front();
     if (found.empty())
-        throw Error(fmt::format("--baseline {}: no variant is that: did you mean '{}'?",
-                                quote(name), nearest_name(name, names)),
+        throw Error(fmt::format("--baseline {}: no variant is that{} (the first is '{}')",
+                                quote(name), did_you_mean(name, names), names.front()),
                     kBadInput);
     throw Error(fmt::format("--baseline {}: it could be '{}' or '{}'", quote(name), names[found[0]],
                             names[found[1]]),

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/frame/pipeline.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/frame/jump.h"
 #include "renderer/frame/notices.h"
 #include "renderer/tracers/structure_view.h"
@@ -35,8 +35,8 @@ std::unique_ptr<Tracer> make_tracer(const std::string& name) {
             return entry.make();
         names.emplace_back(entry.name);
     }
-    throw Error(fmt::format("technique.tracer: unknown tracer '{}': did you mean '{}'?", name,
-                            nearest_name(name, names)),
+    throw Error(fmt::format("technique.tracer: unknown tracer '{}'{} (there are {})", name,
+                            did_you_mean(name, names), fmt::join(names, ", ")),
                 kBadInput);
 }
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/frame/technique.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/embedded_text.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/estimators/ambient_occlusion/ambient_occlusion.h"
 #include "renderer/passes/compose.h"
 #include "renderer/reuse/running_mean.h"
@@ -78,8 +78,8 @@ void apply_technique(Settings& settings, const std::string& name) {
         std::vector<std::string> names;
         for (const Technique& technique : techniques())
             names.push_back(technique.name);
-        throw Error(fmt::format("unknown technique '{}': did you mean '{}'? (there are {})", name,
-                                nearest_name(name, names), fmt::join(names, ", ")),
+        throw Error(fmt::format("unknown technique '{}'{} (there are {})", name,
+                                did_you_mean(name, names), fmt::join(names, ", ")),
                     kBadInput);
     }
     settings.load_toml_text(found->second, fmt::format("config/{}", found->first));

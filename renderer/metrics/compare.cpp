@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/metrics/compare.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/metrics/color_maps.h"
 #include "renderer/metrics/errors.h"
 #include "renderer/metrics/flip.h"
@@ -62,8 +62,8 @@ Metric metric_from_name(std::string_view name) {
         names.emplace_back(info.name);
         listed += (listed.empty() ? "" : ", ") + names.back();
     }
-    throw Error("unknown metric '" + std::string(name) + "': did you mean '" +
-                    nearest_name(name, names) + "'? Known: " + listed,
+    throw Error("unknown metric '" + std::string(name) + "'" + did_you_mean(name, names) +
+                    " (there are " + listed + ")",
                 kBadInput);
 }
 

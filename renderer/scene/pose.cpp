@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/pose.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -179,9 +179,9 @@ int find_animation(const Scene& scene, const std::string& wanted) {
         throw Error(
             fmt::format("scene '{}' has no animation '{}': it has none at all", scene.name, wanted),
             kBadInput);
-    throw Error(fmt::format("scene '{}' has no animation '{}': did you mean '{}'? (numbers go from "
+    throw Error(fmt::format("scene '{}' has no animation '{}'{} (numbers go from "
                             "0 to {})",
-                            scene.name, wanted, nearest_name(wanted, names), animations.size() - 1),
+                            scene.name, wanted, did_you_mean(wanted, names), animations.size() - 1),
                 kBadInput);
 }
 

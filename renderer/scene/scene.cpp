@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/scene/scene.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 
 #include <fmt/format.h>
 
@@ -63,11 +63,11 @@ const Camera& Scene::camera(const std::string& wanted) const {
             return candidate;
         names.push_back(candidate.name);
     }
-    const std::string nearest = nearest_name(wanted, names);
+    const std::string nearest = did_you_mean(wanted, names);
     const bool all = names.size() <= kMostTold;
     names.resize(std::min(names.size(), kMostTold));
-    throw Error(fmt::format("scene '{}' has no camera '{}': did you mean '{}'? (it has {}{})", name,
-                            wanted, nearest, fmt::join(names, ", "), all ? "" : ", ..."),
+    throw Error(fmt::format("scene '{}' has no camera '{}'{} (it has {}{})", name, wanted, nearest,
+                            fmt::join(names, ", "), all ? "" : ", ..."),
                 kBadInput);
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/settings/quote.h"
 #include "renderer/settings/settings.h"
 
@@ -124,10 +124,10 @@ const KnobBase& KnobTable::at(std::string_view key) const {
     std::vector<std::string> keys;
     for (const KnobBase* knob : knobs_)
         keys.emplace_back(knob->key());
-    std::string text = fmt::format("unknown setting {}", quote(key));
-    if (!keys.empty())
-        text += fmt::format(": did you mean '{}'?", nearest_name(key, keys));
-    throw Error(text, kBadInput);
+    const std::string meant = did_you_mean(key, keys);
+    throw Error(fmt::format("unknown setting {}{}", quote(key),
+                            meant.empty() ? ": 'romascope info --knobs' lists all" : meant),
+                kBadInput);
 }
 
 size_t KnobTable::index_of(const KnobBase& knob) const {

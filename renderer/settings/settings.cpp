@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "renderer/settings/settings.h"
 
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
-#include "renderer/base/nearest_name.h"
 #include "renderer/settings/quote.h"
 
 #include <charconv>
@@ -43,7 +43,7 @@ std::string allowed_text(const KnobBase& knob) {
                                    quote(given), allowed_text(knob));
     if (knob.kind() == KnobKind::choice) {
         const std::vector<std::string> names(knob.choices().begin(), knob.choices().end());
-        text += fmt::format("; did you mean '{}'?", nearest_name(given, names));
+        text += did_you_mean(given, names, "; ");
     }
     throw Error(text, kBadInput);
 }

@@ -26,6 +26,8 @@ class Words(CliTest):
         self.refuse_render("--framse", "3", says=["'--framse'", "did you mean '--frames'"])
         self.refuse_render("--framse=3", says=["'--framse'", "did you mean '--frames'"])
         self.refuse_render("-q", says="'-q'")
+        self.assertNotIn("did you mean", self.refuse_render("--zoom", "3", says="'--zoom'"))
+        self.assertNotIn("did you mean", self.refuse("paint", says=["'paint'", "render, compare"]))
         self.refuse("--verion", says="did you mean '--version'")
         self.refuse("info", "--knob", says="did you mean '--knobs'")
         self.refuse("compare", "a.png", "b.png", "--metrik", "mae", says="did you mean '--metric'")

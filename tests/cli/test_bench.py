@@ -156,7 +156,7 @@ class Bench(CliTest):
                 (("--vary", "hash.enabled=true,false"), "without the stages that reuse"),
                 (("--technique", "roma-hash"), "hash.enabled: "),
                 (("--set", "technique.tracer=rom"), "did you mean 'roma'"),
-                (("--baseline", "bvh"), "did you mean"),
+                (("--baseline", "bvh"), "no variant is that (the first is 'roma"),
                 (("--baseline", "roma"), "could be"),
                 (("--seconds", "0"), "--seconds"),
                 (("--frames", "0"), "render.frames"),

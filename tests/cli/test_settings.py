@@ -10,6 +10,8 @@ from helper import CliTest, SOURCE
 class Refused(CliTest):
     def test_unknown_key(self):
         self.refuse_render("--set", "ao.raduis=1", says=["'ao.raduis'", "did you mean 'ao.radius'"])
+        line = self.refuse_render("--set", "roma.directions=1", says="'romascope info --knobs'")
+        self.assertNotIn("did you mean", line)
 
     def test_out_of_range(self):
         self.refuse_render("--set", "occupancy.resolution=3000",

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
+#include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/memory.h"
-#include "renderer/base/nearest_name.h"
 
 #include <algorithm>
 #include <array>
@@ -246,8 +246,35 @@ TEST(NearestName, SwappedNeighboursCountOnce) {
 
 TEST(NearestName, Ends) {
     EXPECT_EQ(nearest_name("x", {}), "");
-    EXPECT_EQ(nearest_name("", {"abc", "a", "b"}), "a"); // the first of equals
-    EXPECT_EQ(nearest_name("zzz", {"abc"}), "abc");
+    EXPECT_EQ(nearest_name("abx", {"abc", "abd"}), "abc"); // the first of equals
+    EXPECT_EQ(nearest_name("", {"abc", "a", "b"}), "");
+    EXPECT_EQ(nearest_name("zzz", {"abc"}), "");
+}
+
+TEST(NearestName, IsNotFarOff) {
+    const std::vector<std::string> keys = {"roma.iterations", "roma.sampling",    "hash.footprint",
+                                           "temporal.length", "taa.length",       "view.map",
+                                           "ao.radius",       "occupancy.builder"};
+    for (const char* far : {"roma.directions", "a", "map.view", "roma.rays", "iterations.roma",
+                            "roma", "view.radios", "", "."})
+        EXPECT_EQ(nearest_name(far, keys), "") << far;
+    EXPECT_EQ(nearest_name("roma.iteration", keys), "roma.iterations");
+    EXPECT_EQ(nearest_name("roma.sampler", keys), "roma.sampling");
+    EXPECT_EQ(nearest_name("romasampling", keys), "roma.sampling");
+}
+
+TEST(NearestName, OfWordsInSeveralGroupsTheNearestGroupCounts) {
+    const std::vector<std::string> keys = {"temporal.length", "taa.length", "hash.footprint"};
+    EXPECT_EQ(nearest_name("taa.lenght", keys), "taa.length");
+    EXPECT_EQ(nearest_name("ta.length", keys), "taa.length");
+    EXPECT_EQ(nearest_name("temporal.lengths", keys), "temporal.length");
+    EXPECT_EQ(nearest_name("view.footprint", keys), "hash.footprint"); // the word is written right
+}
+
+TEST(DidYouMean, IsSilentWhereNothingIsNear) {
+    EXPECT_EQ(did_you_mean("sed", kNames), ": did you mean 'seed'?");
+    EXPECT_EQ(did_you_mean("sed", kNames, "; "), "; did you mean 'seed'?");
+    EXPECT_EQ(did_you_mean("directions", kNames), "");
 }
 
 TEST(NearestName, EveryNameIsNearestToItselfAndToOneSlip) {

@@ -128,7 +128,8 @@ TEST(KnobTable, FindsByKey) {
     EXPECT_EQ(expect_error([] { knobs().at("ao.radio"); }),
               "unknown setting 'ao.radio': did you mean 'ao.radius'?");
     const KnobTable empty({});
-    EXPECT_EQ(expect_error([&] { empty.at("x"); }), "unknown setting 'x'");
+    EXPECT_EQ(expect_error([&] { empty.at("x"); }),
+              "unknown setting 'x': 'romascope info --knobs' lists all");
     EXPECT_EQ(Settings(empty).to_toml(), "");
 }
 
