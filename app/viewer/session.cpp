@@ -4,6 +4,7 @@
 #include "app/frame_run.h"
 #include "app/scene_files.h"
 #include "renderer/base/error.h"
+#include "renderer/frame/jump.h"
 #include "renderer/gl/context.h"
 #include "renderer/scene/fit.h"
 #include "renderer/scene/gltf/import.h"
@@ -37,11 +38,12 @@ bool frames_remember(const Settings& settings) {
     return SpatialHash::is_used(settings) || ScreenReuse::looks_back(settings);
 }
 
-/// Whether nothing but the camera or the time is another.
-bool is_same_but_moved(const Settings& a, Settings b) {
-    b.set_value(kCamera, a.value(kCamera));
-    b.set_value(kTime, a.value(kTime));
-    return a == b;
+/// Whether nothing but the camera, the time or what is shown is another.
+bool is_same_but_moved(const Settings& a, const Settings& b) {
+    return std::ranges::all_of(a.table().all(), [&](const KnobBase* knob) {
+        return a.value(*knob) == b.value(*knob) || knob == &kCamera || knob == &kTime ||
+               chooses_view(*knob);
+    });
 }
 
 } // namespace

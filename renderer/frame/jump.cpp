@@ -24,13 +24,17 @@ Jump jump_of(const KnobBase* knob) {
         &kCamera, &kTime, &kFps, &kFrames, &kAntialias, &kMean, &kTaa, &kTaaLength, &kTaaClamp};
     if (is_among(leave_all, knob))
         return Jump::none;
-    if (knob == &kHashView || is_among(compose_knobs(), knob) ||
-        is_among(structure_view_knobs(), knob) || is_among(screen_reuse_knobs(), knob))
+    if (chooses_view(*knob) || is_among(screen_reuse_knobs(), knob))
         return Jump::picture;
     return Jump::everything;
 }
 
 } // namespace
+
+bool chooses_view(const KnobBase& knob) {
+    return &knob == &kHashView || is_among(compose_knobs(), &knob) ||
+           is_among(structure_view_knobs(), &knob);
+}
 
 Jump jump_between(const Settings& before, const Settings& now) {
     Jump jump = Jump::none;

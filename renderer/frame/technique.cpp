@@ -8,6 +8,7 @@
 #include "renderer/passes/compose.h"
 #include "renderer/reuse/running_mean.h"
 #include "renderer/reuse/spatial_hash/hash_knobs.h"
+#include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
 #include <fmt/format.h>
@@ -25,9 +26,12 @@ std::string first_comment(std::string_view text) {
     return begin == std::string_view::npos ? std::string{} : std::string(line.substr(begin));
 }
 
-/// The tracer, all that tracers can be told, and all else that some technique sets.
+/// The tracer, all that tracers can be told, what is shown of them, as each has other views, and
+/// all else that some technique sets.
 std::vector<const KnobBase*> technique_knobs() {
     std::vector<const KnobBase*> knobs = tracer_knobs();
+    for (const KnobBase* knob : structure_view_knobs())
+        knobs.push_back(knob);
     knobs.push_back(&kTracer);
     for (const Technique& technique : techniques()) {
         Settings settings(all_knobs());
@@ -53,7 +57,7 @@ const KnobTable& all_knobs() {
                                               &kTracer, &kAntialias};
         for (const auto& more :
              {compose_knobs(), ambient_occlusion_knobs(), spatial_hash_knobs(), tracer_knobs(),
-              screen_reuse_knobs(), std::vector<const KnobBase*>{&kMean}})
+              structure_view_knobs(), screen_reuse_knobs(), std::vector<const KnobBase*>{&kMean}})
             knobs.insert(knobs.end(), more.begin(), more.end());
         return KnobTable(knobs);
     }();

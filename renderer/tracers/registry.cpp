@@ -4,7 +4,6 @@
 #include "renderer/tracers/occupancy/occupancy_map.h"
 #include "renderer/tracers/roma/roma_tracer.h"
 #include "renderer/tracers/samples/samples_tracer.h"
-#include "renderer/tracers/structure_view.h"
 #include "renderer/tracers/tracer.h"
 
 #include <algorithm>
@@ -44,8 +43,6 @@ std::vector<const KnobBase*> tracer_knobs() {
     for (const TracerEntry& entry : tracers())
         for (const KnobBase* knob : entry.knobs())
             all.push_back(knob);
-    for (const KnobBase* knob : structure_view_knobs())
-        all.push_back(knob);
     return all;
 }
 

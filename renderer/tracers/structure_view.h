@@ -45,6 +45,7 @@ inline const Knob<int> kViewMap{
     0,
     255};
 
+/// Those that say what a view of a structure shows and change no structure.
 std::vector<const KnobBase*> structure_view_knobs();
 
 /// The name of the view that the settings ask of the tracer. Throws Error (kBadInput) that names

@@ -80,7 +80,8 @@ const std::vector<TracerEntry>& tracers();
 /// Whether the knob belongs to tracers alone, none of which is the one of this name.
 bool is_of_other_tracer(const KnobBase& knob, std::string_view tracer);
 
-/// The knobs of all tracers and of what they share.
+/// The knobs of all tracers and of what they share: all that decides which rays hit. Views of
+/// structures have their own, see structure_view.h.
 std::vector<const KnobBase*> tracer_knobs();
 
 } // namespace romascope

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Ambient occlusion kept in the spatial hash, frame by frame.
+#include "renderer/frame/jump.h"
+#include "renderer/tracers/structure_view.h"
 #include "tests/gl/gl_test.h"
 
 #include <algorithm>
@@ -251,6 +253,35 @@ TEST_F(SpatialHashTest, WhatChangesTheMeaningOfCellsStartsAnew) {
     settings_.set(kHashCapacity, 15);
     EXPECT_TRUE(is_fresh());
     EXPECT_FALSE(is_fresh());
+}
+
+TEST_F(SpatialHashTest, WhatOnlyShowsSomethingElseKeepsTheCells) {
+    const Scene scene = blocks();
+    Pipeline pipeline(scene, ShaderLibrary());
+    render(pipeline, scene.cameras[0], 3);
+    settings_.set(kView, PictureKind::structure);
+    int knobs = 0;
+    for (const KnobBase* knob : all_knobs().all()) {
+        if (!chooses_view(*knob) || knob == &kView || knob == &kViewStructure)
+            continue;
+        if (knob->choices().empty())
+            settings_.set_text(knob->key(), "1");
+        else
+            settings_.set_value(*knob, std::string(knob->choices().back()));
+        ASSERT_FALSE(settings_.is_default(*knob) && knob != &kDepthRange) << knob->key();
+        render(pipeline, scene.cameras[0], 1);
+        const auto counts = counts_of(pipeline);
+        EXPECT_LT(counts.at("hash insertions"), counts.at("hash cells")) << knob->key();
+        ++knobs;
+    }
+    EXPECT_GE(knobs, 10);
+    settings_.set(kViewStructure, "map_slice");
+    for (const std::string_view view : kView.choices()) {
+        settings_.set_text(kView.key(), view);
+        render(pipeline, scene.cameras[0], 1);
+        const auto counts = counts_of(pipeline);
+        EXPECT_LT(counts.at("hash insertions"), counts.at("hash cells")) << view;
+    }
 }
 
 TEST_F(SpatialHashTest, AnimatedCamerasKeepTheCells) {

@@ -2,7 +2,10 @@
 // What a session in the window keeps of its frames when something changes, and that a picture at
 // rest is a new pipeline's where it keeps nothing.
 #include "app/viewer/session.h"
+#include "renderer/tracers/structure_view.h"
 #include "tests/gl/gl_test.h"
+
+#include <utility>
 
 namespace romascope {
 namespace {
@@ -96,6 +99,27 @@ TEST_F(ViewerSession, AMoveKeepsTheCellsOfTheHash) {
     session_->begin_anew();
     EXPECT_FALSE(session_->at_rest());
     EXPECT_EQ(draw_to_rest(), kFramesDrawn);
+    EXPECT_TRUE(is_as_rendered());
+}
+
+TEST_F(ViewerSession, LookingAtSomethingElseKeepsTheCellsOfTheHash) {
+    begin("roma-hash");
+    uint64_t before = samples();
+    const auto grew = [&] {
+        draw_to_rest();
+        return samples() > std::exchange(before, samples());
+    };
+    session_->set(kView, PictureKind::hash);
+    EXPECT_TRUE(grew());
+    session_->set(kView, PictureKind::structure);
+    EXPECT_TRUE(grew());
+    session_->set(kViewMap, 3);
+    EXPECT_TRUE(grew());
+    session_->set(kView, PictureKind::ambient_occlusion);
+    EXPECT_TRUE(grew());
+    EXPECT_FALSE(is_as_rendered());
+    session_->set(kOccupancyResolution, 32); // other hits
+    EXPECT_FALSE(grew());
     EXPECT_TRUE(is_as_rendered());
 }
 
