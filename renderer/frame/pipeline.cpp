@@ -152,10 +152,11 @@ void Pipeline::render(const Settings& settings, const Camera& camera) {
         reuse_.filter(frame, view, gbuffer_, ambient_occlusion_.visibility());
     const Texture& picture = draw_picture(frame, view, visibility);
     remember_frame(frame, view);
-    if (is_of_last_frame(settings.get(kView)) || !settings.get(kMean))
-        mean_.reset();
     shown_ = nullptr;
-    mean_.add(frame, picture);
+    if (is_of_last_frame(settings.get(kView)) || !settings.get(kMean))
+        mean_.take(frame, picture);
+    else
+        mean_.add(frame, picture);
     timer_.collect();
     check_gl_error("the frame");
 }

@@ -11,13 +11,24 @@ ShaderVariant RunningMean::variant(GLenum format) {
 }
 
 void RunningMean::add(const FrameContext& frame, const Texture& value) {
+    name_ = "running mean";
+    write(frame, value);
+}
+
+void RunningMean::take(const FrameContext& frame, const Texture& value) {
+    name_ = "last frame";
+    reset();
+    write(frame, value);
+}
+
+void RunningMean::write(const FrameContext& frame, const Texture& value) {
     const GLenum format = value.format() == GL_RGBA32F ? GL_RGBA32F : GL_R32F;
     if (mean_.size() != value.size() || mean_.format() != format) {
         mean_ = Texture("running mean", GL_TEXTURE_2D, format, value.size());
         reset();
     }
     const Program& program = program_.get(frame.shaders, variant(format));
-    auto pass = frame.timer.compute("running mean");
+    auto pass = frame.timer.compute(name_);
     program.use();
     program.set("count", ++count_);
     program.set("picture_size", glm::ivec2(value.size()));

@@ -20,15 +20,21 @@ class RunningMean {
 public:
     /// `value`: RGBA32F, or one channel of any format. A change of size or format starts anew.
     void add(const FrameContext& frame, const Texture& value);
+    /// The value alone, in place of all before it: a copy in 32-bit floats, so that a window and a
+    /// file have the same numbers whatever its format. What it costs is told as "last frame".
+    void take(const FrameContext& frame, const Texture& value);
     void reset() { count_ = 0; }
     const Texture& mean() const { return mean_; }
     uint32_t count() const { return count_; }
-    StructureBytes bytes() const { return {"running mean", mean_.bytes()}; }
+    StructureBytes bytes() const { return {name_, mean_.bytes()}; }
 
     /// `format`: GL_R32F or GL_RGBA32F.
     static ShaderVariant variant(GLenum format);
 
 private:
+    void write(const FrameContext& frame, const Texture& value);
+
+    const char* name_ = "running mean";
     ProgramSlot program_;
     Texture mean_;
     uint32_t count_ = 0;

@@ -33,6 +33,17 @@ protected:
         return scene_of_triangles(corners);
     }
 
+    /// Whether times and bytes have that name.
+    static bool tells_of(Pipeline& pipeline, const std::string& name) {
+        pipeline.timer().finish();
+        const std::vector<PassTiming>& passes = pipeline.timer().timings();
+        const bool timed = std::ranges::find(passes, name, &PassTiming::pass) != passes.end();
+        const std::vector<StructureBytes> all = pipeline.bytes();
+        const bool held = std::ranges::find(all, name, &StructureBytes::name) != all.end();
+        EXPECT_EQ(timed, held) << name;
+        return timed && held;
+    }
+
     Texture blank(glm::ivec2 size) const {
         return Texture("view", GL_TEXTURE_2D, GL_RGBA32F, glm::ivec3(size, 1));
     }
@@ -241,6 +252,21 @@ TEST_F(ViewsTest, RawAmbientOcclusionIsTheLastFrameOfTheMean) {
             sum[k] += last.data[k];
             ASSERT_NEAR(all.data[k], sum[k] / (i + 1), 1e-6);
         }
+    }
+    EXPECT_TRUE(tells_of(raw, "last frame") && !tells_of(raw, "running mean"));
+    EXPECT_TRUE(tells_of(mean, "running mean") && !tells_of(mean, "last frame"));
+}
+
+TEST_F(ViewsTest, WithoutAMeanThePictureIsThatOfTheFirstFrame) {
+    const Scene scene = clutter();
+    for (const PictureKind kind : {PictureKind::ambient_occlusion, PictureKind::lit}) {
+        settings_.set(kMean, true);
+        Pipeline pipeline(scene, ShaderLibrary());
+        const Image one = render(pipeline, scene.cameras.front(), kind);
+        settings_.set(kMean, false);
+        Pipeline alone(scene, ShaderLibrary());
+        EXPECT_EQ(render(alone, scene.cameras.front(), kind).data, one.data);
+        EXPECT_TRUE(tells_of(alone, "last frame") && !tells_of(alone, "running mean"));
     }
 }
 
