@@ -67,8 +67,9 @@ void HashSoakTest::soak(uint32_t first_frame) {
     pipeline.restart(first_frame);
     uint64_t cells = 0, evictions = 0;
     size_t bytes = 0;
-    // What a driver holds wobbles by 100 KiB within some frames, so that the least of an orbit is
-    // compared; a leak of a byte a frame shows in the long run.
+    // What a driver holds wobbles by 100 KiB within some frames, and grows by 88 KiB in a few steps
+    // (NVIDIA), so that the least of an orbit is compared; a leak of some bytes a frame shows in the
+    // long run.
     size_t least = SIZE_MAX, first_least = 0;
     double early = 0, late = 0; // means over the pictures of two orbits
     Image last;
@@ -108,7 +109,7 @@ void HashSoakTest::soak(uint32_t first_frame) {
             if (frame / kOrbit == 2) {
                 first_least = least;
             } else if (frame / kOrbit > 2) {
-                ASSERT_LT(least, first_least + (64u << 10)) << "frame " << frame;
+                ASSERT_LT(least, first_least + (256u << 10)) << "frame " << frame;
             }
             least = SIZE_MAX;
         }

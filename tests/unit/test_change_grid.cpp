@@ -33,11 +33,11 @@ TEST(ChangeGrid, HoldsTheBoundsInFewBlocks) {
         const Bounds bounds = random_bounds(random);
         const float reach = std::exp2(exponent(random));
         const gpu::ChangeGrid grid = change_grid(bounds, reach);
-        ASSERT_LE(std::max({grid.size.x, grid.size.y, grid.size.z}), 256);
-        ASSERT_LE(double(grid.size.x) * grid.size.y * grid.size.z, 1 << 20);
+        ASSERT_LE(std::max({grid.size.x, grid.size.y, grid.size.z}), 64);
+        ASSERT_LE(double(grid.size.x) * grid.size.y * grid.size.z, 1 << 16);
         const float block = 1.0f / grid.blocks_per_metre;
-        ASSERT_GE(block, reach / 24.1f);
-        ASSERT_LE(block, std::max(reach / 23.9f, glm::length(bounds.extent())));
+        ASSERT_GE(block, reach / 8.1f);
+        ASSERT_LE(block, std::max(reach / 7.9f, glm::length(bounds.extent())));
         // No point of the bounds has to be brought back from beyond the last block.
         const glm::vec3 last = (bounds.max - grid.origin) * grid.blocks_per_metre;
         ASSERT_TRUE(glm::all(glm::lessThan(last, glm::vec3(grid.size))));
@@ -52,6 +52,20 @@ TEST(ChangeGrid, HoldsTheBoundsInFewBlocks) {
             ASSERT_TRUE(glm::all(glm::lessThanEqual(point, from + block + slack)));
             ASSERT_EQ(gpu::block_at(gpu::block_index(found, grid.size), grid.size), found);
         }
+    }
+}
+
+TEST(ChangeGrid, BoxesAreAsFarAsTheirNearestFace) {
+    for (int further = -5; further <= 5; ++further) {
+        int nearest = 1 << 20;
+        for (int box = 0; box < gpu::kMarks; ++box) {
+            // From the centre of block 0, at kMarks / 2, to the ends of the box.
+            const int first = gpu::kMarks * further + box - gpu::kMarks / 2;
+            const int distance = std::max({first, -(first + 1), 0});
+            EXPECT_EQ(gpu::square_to_box(further, box), distance * distance);
+            nearest = std::min(nearest, distance * distance);
+        }
+        EXPECT_EQ(gpu::square_to_block(std::abs(further)), nearest);
     }
 }
 

@@ -12,11 +12,11 @@
 namespace romascope {
 namespace {
 
-/// What is within reach is known to about one of these.
-constexpr float kBlocksPerReach = 24.0f;
-constexpr int kMostBlocks = 1 << 20;
+/// Boxes, kMarks to a block: how far what moved lies is known to about one of them.
+constexpr float kBoxesPerReach = 32.0f;
+constexpr int kMostBoxes = 1 << 22;
 /// How marked triangles are rounded asks for no more (triangle_cells.h).
-constexpr int kLongestSide = 256;
+constexpr int kLongestSide = 256 / gpu::kMarks;
 
 ShaderVariant variant_of(const char* name, const char* file) {
     return {name, {{GL_COMPUTE_SHADER, file}}, {}, {}};
@@ -34,8 +34,8 @@ ShaderVariant row_variant() {
 ShaderVariant plane_variant() {
     return variant_of("plane distance", "reuse/changes/plane_distance.comp.glsl");
 }
-ShaderVariant stamp_variant() {
-    return variant_of("stamp blocks", "reuse/changes/stamp_blocks.comp.glsl");
+ShaderVariant block_variant() {
+    return variant_of("block distance", "reuse/changes/block_distance.comp.glsl");
 }
 
 void wait_for_stores() { glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT); }
@@ -57,17 +57,34 @@ glm::ivec3 grid_size(glm::vec3 extent, float block) {
     return glm::ivec3(glm::min(glm::floor(extent / block), glm::vec3(1e4f))) + 2;
 }
 
+/// Of the buffers.
+struct Words {
+    size_t blocks, moved_boxes, row_distances, row_minima, plane_squares, changes;
+};
+Words words_of(glm::ivec3 size) {
+    const auto x = static_cast<size_t>(size.x), y = static_cast<size_t>(size.y),
+               z = static_cast<size_t>(size.z);
+    const size_t rows = gpu::kMarks * y * gpu::kMarks * z, blocks = x * y * z;
+    return {blocks,
+            1 + rows * static_cast<size_t>(gpu::row_words(size)),
+            x * rows,
+            gpu::kMarks * blocks,
+            gpu::kMarks * blocks,
+            (1 + gpu::kReaches) * blocks};
+}
+
 } // namespace
 
 gpu::ChangeGrid change_grid(const Bounds& bounds, float reach) {
     const glm::vec3 extent = bounds.extent();
     const float longest = std::max({extent.x, extent.y, extent.z});
-    float block = std::max(reach / kBlocksPerReach, longest / static_cast<float>(kLongestSide - 2));
-    const auto blocks = [&] {
-        const glm::dvec3 size(grid_size(extent, block));
+    float block = std::max(gpu::kMarks * reach / kBoxesPerReach,
+                           longest / static_cast<float>(kLongestSide - 2));
+    const auto boxes = [&] {
+        const glm::dvec3 size(gpu::kMarks * grid_size(extent, block));
         return size.x * size.y * size.z;
     };
-    while (blocks() > kMostBlocks)
+    while (boxes() > kMostBoxes)
         block *= 1.05f;
     return {bounds.min, 1.0f / block, grid_size(extent, block)};
 }
@@ -86,30 +103,35 @@ void ChangeVolume::begin(const FrameContext& frame, uint32_t first_vertex, float
     release(); // so that nothing is held twice, and nothing has begun if memory runs out
     const gpu::ChangeGrid grid = change_grid(bounds, reach);
     const size_t skipped = first_vertex * sizeof(glm::vec3);
-    const size_t rows = static_cast<size_t>(grid.size.y) * grid.size.z;
-    const size_t words = rows * grid.size.x;
+    const Words words = words_of(grid.size);
     Buffer followed("followed vertices", scene.positions().bytes() - skipped);
-    Buffer moved_blocks("moved blocks", (1 + rows * gpu::row_words(grid.size)) * sizeof(uint32_t));
-    Buffer row_distances("row distances", words * sizeof(int32_t));
-    Buffer plane_squares("plane squares", words * sizeof(int32_t));
-    Buffer last_changes("last changes", gpu::kReaches * words * sizeof(uint32_t));
-    clear(last_changes, frame.frame);
+    Buffer moved_boxes("moved boxes", words.moved_boxes * sizeof(uint32_t));
+    Buffer row_distances("row distances", words.row_distances * sizeof(int32_t));
+    Buffer row_minima("row minima", words.row_minima * sizeof(int32_t));
+    Buffer plane_squares("plane squares", words.plane_squares * sizeof(int32_t));
+    Buffer changes("changes", words.changes * sizeof(uint32_t));
+    clear(changes, frame.frame);
+    constexpr uint32_t kNear = 0;
+    glClearNamedBufferSubData(changes.id(), GL_R32UI, 0,
+                              static_cast<GLsizeiptr>(words.blocks * sizeof(uint32_t)),
+                              GL_RED_INTEGER, GL_UNSIGNED_INT, &kNear);
     glCopyNamedBufferSubData(scene.positions().id(), followed.id(), static_cast<GLintptr>(skipped),
                              0, static_cast<GLsizeiptr>(followed.bytes()));
     grid_ = grid;
+    last_change_ = frame.frame;
     bounds_ = bounds;
     first_vertex_ = first_vertex;
     followed_ = std::move(followed);
-    moved_blocks_ = std::move(moved_blocks);
+    moved_boxes_ = std::move(moved_boxes);
     row_distances_ = std::move(row_distances);
+    row_minima_ = std::move(row_minima);
     plane_squares_ = std::move(plane_squares);
-    last_changes_ = std::move(last_changes);
+    changes_ = std::move(changes);
 }
 
 void ChangeVolume::release() {
     bounds_ = {};
-    for (Buffer* buffer :
-         {&followed_, &moved_blocks_, &row_distances_, &plane_squares_, &last_changes_})
+    for (Buffer* buffer : buffers())
         *buffer = {};
 }
 
@@ -122,13 +144,14 @@ void ChangeVolume::update(const FrameContext& frame, const Reaches& reaches, flo
     auto pass = frame.timer.compute("changes");
     mark(frame, tolerance);
     follow(frame, tolerance);
-    spread(frame, reaches);
+    measure(frame, reaches);
+    last_change_ = frame.frame;
 }
 
 void ChangeVolume::mark(const FrameContext& frame, float tolerance) {
     const Program& program = mark_program_.get(frame.shaders, mark_variant());
     const size_t triangles = frame.scene.indices().bytes() / (3 * sizeof(uint32_t));
-    clear(moved_blocks_, 0);
+    clear(moved_boxes_, 0);
     program.use();
     set_grid(program);
     program.set("first_vertex", first_vertex_);
@@ -137,7 +160,7 @@ void ChangeVolume::mark(const FrameContext& frame, float tolerance) {
     frame.scene.positions().bind(GL_SHADER_STORAGE_BUFFER, 0);
     followed_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     frame.scene.indices().bind(GL_SHADER_STORAGE_BUFFER, 2);
-    moved_blocks_.bind(GL_SHADER_STORAGE_BUFFER, 3);
+    moved_boxes_.bind(GL_SHADER_STORAGE_BUFFER, 3);
     dispatch_rows(program, triangles);
     wait_for_stores();
 }
@@ -155,43 +178,47 @@ void ChangeVolume::follow(const FrameContext& frame, float tolerance) {
     wait_for_stores();
 }
 
-void ChangeVolume::spread(const FrameContext& frame, const Reaches& reaches) {
+void ChangeVolume::measure(const FrameContext& frame, const Reaches& reaches) {
+    const Words words = words_of(grid_.size);
     const Program& rows = row_program_.get(frame.shaders, row_variant());
     rows.use();
     set_grid(rows);
-    moved_blocks_.bind(GL_SHADER_STORAGE_BUFFER, 0);
+    moved_boxes_.bind(GL_SHADER_STORAGE_BUFFER, 0);
     row_distances_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    rows.dispatch_covering({blocks(), 1, 1});
+    row_minima_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    rows.dispatch_covering({static_cast<int>(words.row_minima), 1, 1});
     wait_for_stores();
 
-    const auto in_blocks = [&](float reach) {
-        return std::min(static_cast<double>(reach) * double{grid_.blocks_per_metre},
-                        double{kLongestSide});
+    const auto in_boxes = [&](float metres) {
+        return std::min(static_cast<double>(metres) * double{grid_.blocks_per_metre},
+                        double{kLongestSide}) *
+               gpu::kMarks;
     };
-    // Of blocks so far apart one less lies between.
-    const int farthest = 1 + static_cast<int>(in_blocks(reaches.back()));
+    // As far as the blocks lie around one that is within reach.
+    const int farthest = static_cast<int>(in_boxes(reaches.back())) + 3 * gpu::kMarks;
     const Program& planes = plane_program_.get(frame.shaders, plane_variant());
     planes.use();
     set_grid(planes);
     planes.set("farthest", farthest);
     row_distances_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    plane_squares_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    planes.dispatch_covering({blocks(), 1, 1});
+    row_minima_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    plane_squares_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    planes.dispatch_covering({static_cast<int>(words.plane_squares), 1, 1});
     wait_for_stores();
 
-    const Program& stamp = stamp_program_.get(frame.shaders, stamp_variant());
-    stamp.use();
-    set_grid(stamp);
-    stamp.set("farthest", farthest);
+    const Program& blocks = block_program_.get(frame.shaders, block_variant());
+    blocks.use();
+    set_grid(blocks);
+    blocks.set("farthest", farthest);
     for (size_t i = 0; i < reaches.size(); ++i) {
-        const double reach = in_blocks(reaches[i]);
-        stamp.set(fmt::format("squares[{}]", i).c_str(), static_cast<int>(reach * reach));
+        const double reach = in_boxes(reaches[i]) + 0.5 * std::sqrt(3.0) * gpu::kMarks;
+        blocks.set(fmt::format("block_squares[{}]", i).c_str(), static_cast<int>(reach * reach));
     }
-    stamp.set("frame", frame.frame);
+    blocks.set("frame_before", last_change_);
     plane_squares_.bind(GL_SHADER_STORAGE_BUFFER, 0);
-    last_changes_.bind(GL_SHADER_STORAGE_BUFFER, 1);
-    moved_blocks_.bind(GL_SHADER_STORAGE_BUFFER, 2);
-    stamp.dispatch_covering({blocks(), 1, 1});
+    changes_.bind(GL_SHADER_STORAGE_BUFFER, 1);
+    moved_boxes_.bind(GL_SHADER_STORAGE_BUFFER, 2);
+    blocks.dispatch_covering({static_cast<int>(words.blocks), 1, 1});
     wait_for_stores();
 }
 
@@ -201,15 +228,15 @@ void ChangeVolume::set_grid(const Program& program) const {
     program.set("grid_size", grid_.size);
 }
 
-void ChangeVolume::bind(const Program& program, GLuint slot) const {
+void ChangeVolume::bind(const Program& program) const {
     set_grid(program);
-    last_changes_.bind(GL_SHADER_STORAGE_BUFFER, slot);
+    program.set("last_change", last_change_);
+    changes_.bind(GL_SHADER_STORAGE_BUFFER, 4);
 }
 
 size_t ChangeVolume::bytes() const {
     size_t all = 0;
-    for (const Buffer* buffer :
-         {&followed_, &moved_blocks_, &row_distances_, &plane_squares_, &last_changes_})
+    for (const Buffer* buffer : buffers())
         all += buffer->bytes();
     return all;
 }
@@ -222,12 +249,15 @@ bool ChangeVolume::takes(const GpuScene& scene) {
 }
 
 size_t ChangeVolume::bytes_needed(size_t vertices) {
-    // Rows of bits take up to a word for each block.
-    return vertices * sizeof(glm::vec3) + (3 + gpu::kReaches) * kMostBlocks * sizeof(uint32_t);
+    // Rows of bits take up to a word for each block along x.
+    constexpr size_t kRows = kMostBoxes / gpu::kMarks, kPlanes = kRows / gpu::kMarks,
+                     kBlocks = kPlanes / gpu::kMarks;
+    return vertices * sizeof(glm::vec3) +
+           (1 + 2 * kRows + 2 * kPlanes + (1 + gpu::kReaches) * kBlocks) * sizeof(uint32_t);
 }
 
 std::vector<ShaderVariant> ChangeVolume::variants() {
-    return {mark_variant(), follow_variant(), row_variant(), plane_variant(), stamp_variant()};
+    return {mark_variant(), follow_variant(), row_variant(), plane_variant(), block_variant()};
 }
 
 } // namespace romascope

@@ -9,16 +9,16 @@
 
 namespace romascope {
 
-/// Blocks that cover `bounds`: a 24th of `reach` on a side, in metres; larger where more than
-/// 1,048,576 or more than 256 along a side would be needed.
+/// Blocks that cover `bounds`: an eighth of `reach` on a side, in metres; larger where more than
+/// 65,536 or more than 64 along a side would be needed.
 gpu::ChangeGrid change_grid(const Bounds& bounds, float reach);
 
-/// For each block of the scene the frame in which something within reach of any point of it last
-/// moved: by the blocks that triangles touch, where they were and where they are. Nothing within
-/// reach is missed. The same vertices give the same frames.
+/// How far what moved last lies from each block of the scene, and in which frame something moved
+/// before within reach of any point of it: by the boxes that triangles touch, where they were and
+/// where they are. Nothing within reach is missed. The same vertices give the same distances.
 class ChangeVolume {
 public:
-    /// Metres from a block within which moves are told, from the shortest on.
+    /// Metres from a point within which moves are told, from the shortest on.
     using Reaches = std::array<float, gpu::kReaches>;
 
     /// Begins anew: everything changed in `frame`. Vertices from `first_vertex` on may move.
@@ -33,13 +33,15 @@ public:
     /// along an axis. Smaller moves add up over calls.
     void update(const FrameContext& frame, const Reaches& reaches, float tolerance);
 
-    /// For what includes change_grid.glsl and reads last_changes, as stale_cells.glsl does: binds a
-    /// storage block and sets the uniforms of `program`, which is in use.
-    void bind(const Program& program, GLuint slot) const;
+    /// For what includes changed.glsl: binds its storage block and sets the uniforms of `program`,
+    /// which is in use.
+    void bind(const Program& program) const;
 
     const gpu::ChangeGrid& grid() const { return grid_; }
-    /// The frames of all blocks (gpu::block_index), for each reach in turn. Waits for the GPU.
-    std::vector<uint32_t> download() const { return last_changes_.download<uint32_t>(); }
+    /// The frame of the last update, or of begin().
+    uint32_t last_change() const { return last_change_; }
+    /// Of all blocks (gpu::block_index), see block_distance.comp.glsl. Waits for the GPU.
+    std::vector<uint32_t> download() const { return changes_.download<uint32_t>(); }
     size_t bytes() const;
 
     /// Whether a driver can read the scene as this does.
@@ -51,19 +53,28 @@ public:
 private:
     void mark(const FrameContext& frame, float tolerance);
     void follow(const FrameContext& frame, float tolerance);
-    void spread(const FrameContext& frame, const Reaches& reaches);
+    void measure(const FrameContext& frame, const Reaches& reaches);
+    std::array<Buffer*, 6> buffers() {
+        return {&followed_,   &moved_boxes_,   &row_distances_,
+                &row_minima_, &plane_squares_, &changes_};
+    }
+    std::array<const Buffer*, 6> buffers() const {
+        return {&followed_,   &moved_boxes_,   &row_distances_,
+                &row_minima_, &plane_squares_, &changes_};
+    }
     void set_grid(const Program& program) const;
-    int blocks() const { return grid_.size.x * grid_.size.y * grid_.size.z; }
 
-    ProgramSlot mark_program_, follow_program_, row_program_, plane_program_, stamp_program_;
+    ProgramSlot mark_program_, follow_program_, row_program_, plane_program_, block_program_;
     gpu::ChangeGrid grid_{};
     Bounds bounds_; ///< that the grid covers; empty: nothing begun
     uint32_t first_vertex_ = 0;
+    uint32_t last_change_ = 0;
     Buffer followed_;      ///< three floats a moving vertex
-    Buffer moved_blocks_;  ///< a word for all, a bit for each
-    Buffer row_distances_; ///< a word a block
-    Buffer plane_squares_; ///< likewise
-    Buffer last_changes_;  ///< likewise, for each reach
+    Buffer moved_boxes_;   ///< a word for all, a bit for each
+    Buffer row_distances_; ///< this and the following: see the shaders that write them
+    Buffer row_minima_;
+    Buffer plane_squares_;
+    Buffer changes_;
 };
 
 } // namespace romascope

@@ -18,7 +18,8 @@ static_assert(gpu::kMaxAge == gpu::kOldestUse);
 
 /// Of an occupancy cell: smaller moves change the map less than its jitter does.
 constexpr float kToleratedCells = 0.25f;
-/// Occupancy cells by which what a ray finds may lie nearer than what moved.
+/// Occupancy cells by which what a ray finds may lie nearer than what moved. A ray whose last cell is
+/// entered at one corner while what moved touches the opposite one alone, 1.73 away, is left out.
 constexpr float kTracedCells = 1.0f;
 
 } // namespace
@@ -30,12 +31,11 @@ bool CellRenewal::follow(const FrameContext& frame, uint32_t max_age) {
         if (!changes_.has_begun() || !changes_.covers(frame.scene.bounds()))
             return false;
         changes_.update(frame, reaches(frame.settings), tolerance_);
-        last_change_ = frame.frame;
         needed_ = true;
     }
     const uint32_t oldest = std::max(max_age, std::exchange(max_age_, max_age));
     // Ages beyond kMaxAge are not told apart.
-    needed_ = needed_ && (oldest >= gpu::kMaxAge || frame.frame - last_change_ <= oldest);
+    needed_ = needed_ && (oldest >= gpu::kMaxAge || frame.frame - changes_.last_change() <= oldest);
     return true;
 }
 
@@ -67,9 +67,9 @@ void CellRenewal::release() {
 }
 
 void CellRenewal::bind(const Program& program) const {
-    changes_.bind(program, 4);
+    changes_.bind(program);
+    program.set("cell_reach", cell_reach_);
     program.set("first_level", first_level_);
-    program.set("last_change", last_change_);
 }
 
 ChangeVolume::Reaches CellRenewal::reaches(const Settings& settings) const {

@@ -46,8 +46,7 @@ private:
     bool begun_ = false;
     bool moved_ = false; ///< since the last frame
     bool needed_ = false;
-    uint32_t last_change_ = 0; ///< frame
-    uint32_t max_age_ = 0;     ///< of the last frame
+    uint32_t max_age_ = 0; ///< of the last frame
 };
 
 } // namespace romascope

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Blocks of space, each with the frame in which something within reach of it last moved: what the
-// shaders and their CPU twin decide alike.
+// Blocks of space, each with its distance from what moved last, and with the frame in which
+// something within reach of it moved before: what the shaders and their CPU twin decide alike.
 //
-// Distances are those between the nearest points of two blocks: never longer than between what lies
-// in them, shorter by less than the two diagonals.
+// What moves is marked in finer boxes, kMarks to a block along each axis. Lengths between blocks are
+// told in boxes, from the centre of a block to the nearest point of the nearest marked box: never
+// longer than to what moved, shorter by less than the diagonal of a box.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus
@@ -11,8 +12,10 @@ namespace romascope::gpu {
 #endif
 
 /// So many reaches have a frame of their own in each block.
-const int kReaches = 4;
-/// Blocks: more than any grid has along a side.
+const int kReaches = 3;
+/// Boxes that a block is long. Even, so that its centre lies between two.
+const int kMarks = 4;
+/// Boxes: more than any grid has along a side.
 const int kFarAway = 1 << 14;
 /// Frames that are told apart: what was not used for longer is taken for older than any change.
 const uint kOldestUse = 0x8000u;
@@ -20,7 +23,7 @@ const uint kOldestUse = 0x8000u;
 struct ChangeGrid {
     vec3 origin; ///< metres
     float blocks_per_metre;
-    ivec3 size; ///< blocks, at most 256 along a side
+    ivec3 size; ///< blocks, at most 256 / kMarks along a side
 };
 
 /// The block that a point lies in, or beyond the grid the nearest: points only come closer by that.
@@ -43,12 +46,25 @@ SHARED_FN ivec3 block_at(uint index, ivec3 size) {
     return ivec3(int(index) - row * size.x, row % size.y, row / size.y);
 }
 
-/// Blocks between two that lie so many blocks apart along an axis.
-SHARED_FN int gap(int apart) { return max(apart - 1, 0); }
-SHARED_FN int square(int x) { return x * x; }
+SHARED_FN vec3 centre_of_block(ivec3 block, ChangeGrid grid) {
+    return grid.origin + (vec3(block) + 0.5f) / grid.blocks_per_metre;
+}
 
-/// Words of a row's bits, one for each block.
-SHARED_FN int row_words(ivec3 size) { return (size.x + 31) >> 5; }
+/// The first box behind the centre of a block along an axis: the one before is as near.
+SHARED_FN int box_behind_centre(int block) { return kMarks * block + kMarks / 2; }
+SHARED_FN int square(int x) { return x * x; }
+/// Along an axis, from the centre of a block to box `box` of the block so many further on.
+SHARED_FN int square_to_box(int further, int box) {
+    int behind = kMarks * further + box - kMarks / 2; // the centre
+    return square(behind >= 0 ? behind : behind + 1);
+}
+/// Likewise to the nearest box of a block on either side.
+SHARED_FN int square_to_block(int apart) {
+    return square(max(kMarks * apart - kMarks / 2, 0));
+}
+
+/// Words of a row's bits, one for each box. `size`: blocks.
+SHARED_FN int row_words(ivec3 size) { return (kMarks * size.x + 31) >> 5; }
 
 /// Whether a vertex has moved, along any axis, by more than `tolerance` metres.
 SHARED_FN bool has_moved(vec3 before, vec3 now, float tolerance) {

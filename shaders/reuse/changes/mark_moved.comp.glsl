@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Marks the blocks of triangles that moved, where they were and where they are. One invocation a
+// Marks the boxes of triangles that moved, where they were and where they are. One invocation a
 // triangle.
 //
 // In:   positions; indices; followed: the moving vertices as they were when they were last found to
 //       have moved
-// Out:  moved_blocks: a word 1 if some triangle is too large to be marked, then rows of bits
+// Out:  moved_boxes: a word 1 if some triangle is too large to be marked, then rows of bits
 // Host: see change_grid.glsl, followed_vertices.glsl; triangle_count
 #include "shaders/reuse/changes/change_grid.glsl"
 #include "shaders/reuse/changes/followed_vertices.glsl"
@@ -13,9 +13,9 @@
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer Indices { uint indices[]; };
-layout(std430, binding = 3) buffer MovedBlocks {
+layout(std430, binding = 3) buffer MovedBoxes {
     uint all_moved;
-    uint moved_blocks[];
+    uint moved_boxes[];
 };
 uniform uint triangle_count;
 
@@ -23,9 +23,9 @@ uniform uint triangle_count;
 /// it counts the one that leaves a loop as well.
 int turns_left = 30000;
 
-void mark(ivec3 block) {
-    int row = block.z * grid_size.y + block.y;
-    atomicOr(moved_blocks[row * row_words(grid_size) + (block.x >> 5)], 1u << (block.x & 31));
+void mark(ivec3 box) {
+    int row = box.z * kMarks * grid_size.y + box.y;
+    atomicOr(moved_boxes[row * row_words(grid_size) + (box.x >> 5)], 1u << (box.x & 31));
 }
 
 void mark_column(CellTriangle t, int u, int v) {
@@ -47,12 +47,13 @@ void mark_row(CellTriangle t, int u) {
 }
 
 void mark_triangle(vec3 corners[3]) {
-    vec3 p = (corners[0] - grid_origin) * blocks_per_metre;
-    vec3 q = (corners[1] - grid_origin) * blocks_per_metre;
-    vec3 r = (corners[2] - grid_origin) * blocks_per_metre;
+    float boxes_per_metre = float(kMarks) * blocks_per_metre;
+    vec3 p = (corners[0] - grid_origin) * boxes_per_metre;
+    vec3 q = (corners[1] - grid_origin) * boxes_per_metre;
+    vec3 r = (corners[2] - grid_origin) * boxes_per_metre;
     int apex = apex_of(p, q, r);
     CellTriangle t = cell_triangle(apex == 0 ? p : apex == 1 ? q : r, apex == 0 ? q : apex == 1 ? r : p,
-                                   apex == 0 ? r : apex == 1 ? p : q, grid_size, true);
+                                   apex == 0 ? r : apex == 1 ? p : q, kMarks * grid_size, true);
     if (t.kind == kCellsNone)
         return;
     for (int u = t.first.x; u <= t.last.x && turns_left > 0; ++u) {

@@ -1,31 +1,34 @@
 // SPDX-License-Identifier: MIT
-// For each block the square of the distance to the nearest marked one of its plane z, in blocks,
-// from box to box.
+// For each plane of boxes at one z, and the centre of each block across it, the square of the
+// distance to the nearest marked box of the plane, in boxes.
 //
-// In:   row_distances: see row_distance.comp.glsl
-// Out:  plane_squares, a word a block: more than farthest * farthest if there is none that near
-// Host: see change_grid.glsl; farthest: blocks
+// In:   row_distances, row_minima: see row_distance.comp.glsl
+// Out:  plane_squares, a word for each block along x and y and box along z, no more than farthest *
+//       farthest
+// Host: see change_grid.glsl; farthest: boxes
 #include "shaders/reuse/changes/change_grid.glsl"
 
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer RowDistances { int row_distances[]; };
-layout(std430, binding = 1) writeonly buffer PlaneSquares { int plane_squares[]; };
+layout(std430, binding = 1) readonly buffer RowMinima { int row_minima[]; };
+layout(std430, binding = 2) writeonly buffer PlaneSquares { int plane_squares[]; };
 uniform int farthest;
 
 void main() {
     uint index = gl_GlobalInvocationID.x;
-    if (index >= uint(grid_size.x * grid_size.y * grid_size.z))
+    if (index >= uint(grid_size.x * grid_size.y * kMarks * grid_size.z))
         return;
-    ivec3 block = block_at(index, grid_size);
-    int nearest = kFarAway * kFarAway;
-    // From the block outwards, until what is farther cannot be nearer.
-    for (int across = 0; across <= farthest && square(gap(across)) < nearest; ++across) {
-        for (int side = -1; side <= 1; side += 2) {
-            int y = block.y + side * across;
-            if (y >= 0 && y < grid_size.y) {
-                int along = row_distances[int(index) + side * across * grid_size.x];
-                nearest = min(nearest, square(gap(along)) + square(gap(across)));
-            }
+    int y = block_at(index, grid_size).y;
+    int nearest = square(farthest);
+    // From block to block outwards, until what is farther cannot be nearer.
+    for (int across = 0; across < grid_size.y && square_to_block(across) < nearest; ++across) {
+        for (int side = 0; side < 2; ++side) {
+            int other = side == 0 ? y + across : y - across;
+            int at = int(index) + (other - y) * grid_size.x;
+            if (other < 0 || other >= grid_size.y || square(row_minima[at]) + square_to_block(across) >= nearest)
+                continue;
+            for (int i = 0; i < kMarks; ++i)
+                nearest = min(nearest, square(row_distances[kMarks * at + i]) + square_to_box(other - y, i));
         }
     }
     plane_squares[index] = nearest;

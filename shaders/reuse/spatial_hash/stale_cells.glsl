@@ -1,27 +1,27 @@
 // SPDX-License-Identifier: MIT
 // Using cells in frames where something may have moved within their reach since their last use.
 //
-// Host: pixel_key.glsl, table.glsl, which come first; storage block 4: last_changes (stamp_blocks.comp.glsl); change_grid.glsl;
-//       first_level: of the cells that the first reach is for; last_change: the frame in which
-//       anything moved last
-#include "shaders/reuse/changes/change_grid.glsl"
+// Host: pixel_key.glsl, table.glsl, which come first; changed.glsl; cell_reach: metres from where a
+//       ray starts to what it can find; first_level: of the cells that the first of the reaches is for
+#include "shaders/reuse/changes/changed.glsl"
 #include "shaders/reuse/spatial_hash/stale_cells.h"
 
-layout(std430, binding = 4) readonly buffer LastChanges { uint last_changes[]; };
+uniform float cell_reach;
 uniform int first_level;
-uniform uint last_change;
 
 /// `use_age`: frames since the cell's last use. By its key alone where the cell is concerned, so
 /// that all its pixels agree.
 bool is_stale(CellKey key, uint use_age) {
-    uint changed = last_change;
+    if (!changed_since(frame - last_change, use_age))
+        return false;
     int reach = max(key.level - first_level, 0);
-    if (reach < kReaches) {
-        ivec3 block = block_of(cell_centre(key, inverse_smallest), change_grid());
-        int blocks = grid_size.x * grid_size.y * grid_size.z;
-        changed = last_changes[uint(reach * blocks) + block_index(block, grid_size)];
-    }
-    return changed_since(frame - changed, use_age);
+    if (reach >= kReaches)
+        return true;
+    vec3 centre = cell_centre(key, inverse_smallest);
+    if (moved_before(centre, reach, frame, use_age))
+        return true;
+    float size = power_of_two(key.level) / inverse_smallest;
+    return moved_last_within(centre, cell_reach + size * cell_radius(jitter_scale));
 }
 
 /// As use_cell, but leaves a cell that is stale as it is, so that all its pixels see it: its sums
