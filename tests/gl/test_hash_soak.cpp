@@ -68,8 +68,8 @@ void HashSoakTest::soak(uint32_t first_frame) {
     uint64_t cells = 0, evictions = 0;
     size_t bytes = 0;
     // What a driver holds wobbles by 100 KiB within some frames, and grows by 88 KiB in a few steps
-    // (NVIDIA), so that the least of an orbit is compared; a leak of some bytes a frame shows in the
-    // long run.
+    // (NVIDIA), so that the least of an orbit is compared; a leak of some bytes a frame shows in
+    // the long run.
     size_t least = SIZE_MAX, first_least = 0;
     double early = 0, late = 0; // means over the pictures of two orbits
     Image last;

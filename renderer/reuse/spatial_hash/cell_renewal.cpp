@@ -18,8 +18,9 @@ static_assert(gpu::kMaxAge == gpu::kOldestUse);
 
 /// Of an occupancy cell: smaller moves change the map less than its jitter does.
 constexpr float kToleratedCells = 0.25f;
-/// Occupancy cells by which what a ray finds may lie nearer than what moved. A ray whose last cell is
-/// entered at one corner while what moved touches the opposite one alone, 1.73 away, is left out.
+/// Occupancy cells by which what a ray finds may lie nearer than what moved. A ray whose last cell
+/// is entered at one corner while what moved touches the opposite one alone, 1.73 away, is left
+/// out.
 constexpr float kTracedCells = 1.0f;
 
 } // namespace

@@ -2,9 +2,9 @@
 // Blocks of space, each with its distance from what moved last, and with the frame in which
 // something within reach of it moved before: what the shaders and their CPU twin decide alike.
 //
-// What moves is marked in finer boxes, kMarks to a block along each axis. Lengths between blocks are
-// told in boxes, from the centre of a block to the nearest point of the nearest marked box: never
-// longer than to what moved, shorter by less than the diagonal of a box.
+// What moves is marked in finer boxes, kMarks to a block along each axis. Lengths between blocks
+// are told in boxes, from the centre of a block to the nearest point of the nearest marked box:
+// never longer than to what moved, shorter by less than the diagonal of a box.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus
@@ -59,9 +59,7 @@ SHARED_FN int square_to_box(int further, int box) {
     return square(behind >= 0 ? behind : behind + 1);
 }
 /// Likewise to the nearest box of a block on either side.
-SHARED_FN int square_to_block(int apart) {
-    return square(max(kMarks * apart - kMarks / 2, 0));
-}
+SHARED_FN int square_to_block(int apart) { return square(max(kMarks * apart - kMarks / 2, 0)); }
 
 /// Words of a row's bits, one for each box. `size`: blocks.
 SHARED_FN int row_words(ivec3 size) { return (kMarks * size.x + 31) >> 5; }
