@@ -105,7 +105,7 @@ int bench(const BenchOptions& options) {
     if (query_driver().software)
         check_memory_of_all(scene, variants, options.memory);
     Benchmark benchmark(scene, showing.pose(), showing.camera(), variants);
-    for (const std::string& notice : benchmark.notices())
+    for (const std::string& notice : notices_of(variants, scene))
         tell_notice(file, notice);
     Progress progress("measured");
     benchmark.warm_up();

@@ -10,6 +10,7 @@
 #include "app/settings_options.h"
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
+#include "renderer/frame/notices.h"
 #include "renderer/image/image_io.h"
 #include "renderer/metrics/compare.h"
 #include "renderer/scene/pose.h"
@@ -131,7 +132,7 @@ int render(const RenderOptions& options) {
         return options.shaders.empty() ? ShaderLibrary() : ShaderLibrary(options.shaders);
     };
     Pipeline pipeline(scene, shaders());
-    for (const std::string& notice : pipeline.notices(settings))
+    for (const std::string& notice : notices_of(settings, scene))
         tell_notice(file, notice);
     std::optional<LagWatch> lag;
     if (judges_lag)

@@ -9,6 +9,7 @@
 #include "app/settings_options.h"
 #include "renderer/base/error.h"
 #include "renderer/base/memory.h"
+#include "renderer/frame/notices.h"
 #include "renderer/image/image_io.h"
 #include "renderer/scene/pose.h"
 
@@ -105,7 +106,7 @@ Row show(const fs::path& file, Settings settings, const SheetOptions& options, b
     Showing showing(scene, settings);
     {
         Pipeline pipeline(scene, ShaderLibrary());
-        for (const std::string& notice : pipeline.notices(settings))
+        for (const std::string& notice : notices_of(settings, scene))
             tell_notice(file, notice);
         row.tiles.push_back(render_frames(pipeline, view, showing).picture);
         row.tiles.push_back(render_frames(pipeline, occlusion, showing).picture);

@@ -15,7 +15,6 @@
 #include "renderer/base/error.h"
 #include "renderer/base/files.h"
 #include "renderer/base/memory.h"
-#include "renderer/frame/notices.h"
 #include "renderer/gl/capabilities.h"
 #include "renderer/image/image_io.h"
 
@@ -25,7 +24,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <set>
 
 namespace romascope {
 namespace {
@@ -96,16 +94,13 @@ std::vector<std::unique_ptr<SplitScene>> load_scenes(const SplitOptions& options
             for (const BenchVariant& variant : variants)
                 check_memory(scene, variant.settings, options.memory.left_beside(scene),
                              options.memory.max_memory.has_value());
+        for (const std::string& notice : notices_of(variants, scene))
+            tell_notice(file, notice);
         const Pose pose = pose_of_frame(scene, settings, 0);
         std::vector<Camera> cameras = cameras_of(scene, settings, pose);
         scenes.push_back(
             std::make_unique<SplitScene>(std::move(scene), pose, std::move(cameras),
                                          glm::ivec2(settings.get(kWidth), settings.get(kHeight))));
-        std::set<std::string> told;
-        for (const BenchVariant& variant : variants)
-            for (const std::string& notice : notices_of(variant.settings, scenes.back()->gpu()))
-                if (told.insert(notice).second)
-                    tell_notice(file, notice);
     }
     return scenes;
 }

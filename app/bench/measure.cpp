@@ -2,7 +2,6 @@
 #include "app/bench/measure.h"
 
 #include "renderer/base/error.h"
-#include "renderer/frame/notices.h"
 #include "renderer/gl/debug.h"
 #include "renderer/passes/deform.h"
 
@@ -76,15 +75,6 @@ void Benchmark::warm_up() {
         run_round();
     } while (seconds_since(begin) < kWarmUpSeconds);
     for_all_timers([](PassTimer& timer) { timer.clear(); });
-}
-
-std::vector<std::string> Benchmark::notices() const {
-    std::vector<std::string> all;
-    for (const Subject& subject : subjects_)
-        for (std::string& notice : notices_of(subject.settings, scene_))
-            if (std::ranges::find(all, notice) == all.end())
-                all.push_back(std::move(notice));
-    return all;
 }
 
 BenchTimes Benchmark::run(int rounds, double seconds, const std::function<void(double)>& progress) {

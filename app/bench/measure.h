@@ -40,8 +40,6 @@ public:
               const std::vector<BenchVariant>& variants);
     Benchmark(const Scene&&, const Pose&, const Camera&, const std::vector<BenchVariant>&) = delete;
 
-    /// What this driver cannot do with the scene as the variants ask, see notices_of(); each once.
-    std::vector<std::string> notices() const;
     /// Compiles, finds the passes that want batches, and keeps the device at work for a second.
     void warm_up();
     /// Measures. `rounds`: how many; 0: as many as fit in `seconds`, at least a few. `progress`, if

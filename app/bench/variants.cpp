@@ -4,6 +4,7 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/idle_knobs.h"
+#include "renderer/frame/notices.h"
 #include "renderer/frame/pipeline.h"
 #include "renderer/reuse/running_mean.h"
 #include "renderer/settings/quote.h"
@@ -204,6 +205,15 @@ std::vector<BenchVariant> expand_variants(const Settings& base,
         check_count(all.size(), most, most);
     }
     check_used(variations, used, all);
+    return all;
+}
+
+std::vector<std::string> notices_of(const std::vector<BenchVariant>& variants, const Scene& scene) {
+    std::vector<std::string> all;
+    for (const BenchVariant& variant : variants)
+        for (std::string& notice : notices_of(variant.settings, scene))
+            if (std::ranges::find(all, notice) == all.end())
+                all.push_back(std::move(notice));
     return all;
 }
 

@@ -2,6 +2,7 @@
 // What a benchmark compares: tracers, and choices of their settings.
 #pragma once
 
+#include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
 #include <string>
@@ -43,6 +44,9 @@ inline constexpr size_t kMostBenchVariants = 64;
 std::vector<BenchVariant> expand_variants(const Settings& base,
                                           const std::vector<Variation>& variations,
                                           size_t most = kMostBenchVariants);
+
+/// What does not come of what variants ask of a scene, see notices.h; each once.
+std::vector<std::string> notices_of(const std::vector<BenchVariant>& variants, const Scene& scene);
 
 /// The place of the variant with that name, or of the only one that has all its words.
 /// Throws Error (kBadInput) if there is none or more than one.

@@ -5,6 +5,7 @@
 #include "app/scene_files.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/jump.h"
+#include "renderer/frame/notices.h"
 #include "renderer/gl/context.h"
 #include "renderer/scene/fit.h"
 #include "renderer/scene/gltf/import.h"
@@ -80,7 +81,7 @@ void Session::show(const std::filesystem::path& file, Scene scene) {
 /// Those that come and go with the settings.
 void Session::tell_notices() {
     std::vector<std::string> now;
-    for (const std::string& notice : loaded_->pipeline.notices(settings_))
+    for (const std::string& notice : notices_of(settings_, loaded_->scene))
         now.push_back(fmt::format("{}: {}", loaded_->file.string(), notice));
     messages_.replace(Severity::notice, notices_, std::move(now));
 }

@@ -3,7 +3,8 @@
 
 #include "renderer/passes/compose.h"
 #include "renderer/reuse/temporal_accumulation.h"
-#include "renderer/tracers/occupancy/compute_builder.h"
+#include "renderer/tracers/occupancy/compute_limits.h"
+#include "renderer/tracers/occupancy/occupancy_knobs.h"
 
 #include <fmt/format.h>
 
@@ -20,10 +21,12 @@ constexpr StageView kStageViews[] = {{PictureKind::history, &kTemporal}};
 
 } // namespace
 
-std::vector<std::string> notices_of(const Settings& settings, const GpuScene& scene) {
+std::vector<std::string> notices_of(const Settings& settings, const Scene& scene) {
     std::vector<std::string> all;
     if (settings.get(kOccupancyBuilder) == OccupancyBuilder::compute)
-        if (std::string refusal = ComputeBuilder::refusal(scene); !refusal.empty())
+        if (std::string refusal = beyond_compute(scene.positions.size(), scene.triangle_count(),
+                                                 query_compute_limits());
+            !refusal.empty())
             all.push_back(std::move(refusal));
     for (const StageView& view : kStageViews)
         if (settings.get(kView) == view.kind && !settings.get(*view.stage))

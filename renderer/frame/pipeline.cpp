@@ -4,7 +4,6 @@
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
 #include "renderer/frame/jump.h"
-#include "renderer/frame/notices.h"
 #include "renderer/tracers/structure_view.h"
 #include "shaders/common/random.h"
 
@@ -221,10 +220,6 @@ std::vector<NamedCount> Pipeline::counts() const {
         for (NamedCount& count : tracer_->counts())
             all.push_back(std::move(count));
     return all;
-}
-
-std::vector<std::string> Pipeline::notices(const Settings& settings) const {
-    return notices_of(settings, scene_);
 }
 
 std::vector<StructureBytes> Pipeline::bytes() const {

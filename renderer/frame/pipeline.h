@@ -54,9 +54,6 @@ public:
     /// has as many lines as the driver gave.
     std::vector<std::string> take_shader_faults() { return shaders_.take_faults(); }
 
-    /// See notices.h.
-    std::vector<std::string> notices(const Settings& settings) const;
-
     PassTimer& timer() { return timer_; }
     std::vector<StructureBytes> bytes() const;
     /// What the last frame counted, such as rays that were given up. Waits for the GPU.

@@ -137,6 +137,12 @@ class Bench(CliTest):
         self.assertRegex(told, r"\A(\rmeasured +\d+ %)+\r\n\Z")
         self.assertIn("100 %", told)
 
+    def test_notices_are_told_once_for_all_variants(self):
+        for command in ("bench", "split"):
+            result = self.succeed(command, "scene.glb", *QUICK, "--frames", "1", "--vary",
+                                  "technique.tracer=dda,samples", "--set", "frame.view=history")
+            self.assertRegex(result.stderr, r"\Anotice: scene.glb: frame.view=history [^\n]*\n\Z")
+
     def test_refused_before_the_work(self):
         for words, says in (
                 (("--vary", "roma.taps"), "KEY=VALUE"),

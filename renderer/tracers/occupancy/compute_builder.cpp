@@ -51,9 +51,10 @@ void set_grid(const Program& program, const OccupancyGrid& grid, const GpuScene&
 
 } // namespace
 
-std::string ComputeBuilder::refusal(const GpuScene& scene) {
+bool ComputeBuilder::takes(const GpuScene& scene) {
     return beyond_compute(scene.positions().bytes() / sizeof(glm::vec3),
-                          scene.indices().bytes() / (3 * sizeof(uint32_t)), query_compute_limits());
+                          scene.indices().bytes() / (3 * sizeof(uint32_t)), query_compute_limits())
+        .empty();
 }
 
 void ComputeBuilder::build(const FrameContext& frame, const OccupancyGrid& grid,

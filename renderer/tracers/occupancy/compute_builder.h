@@ -6,8 +6,6 @@
 #include "renderer/tracers/occupancy/base_map.h"
 #include "renderer/tracers/occupancy/occupancy_knobs.h"
 
-#include <string>
-
 namespace romascope {
 
 /// Finds the cells of each triangle in compute, as triangle_cells.h says: small triangles in place,
@@ -20,10 +18,9 @@ namespace romascope {
 /// triangle faces most does, or beside the triangle at the edge.
 class ComputeBuilder {
 public:
-    /// Why a scene is too large for this driver's texel buffers and storage blocks, triangles being
-    /// found by their place in buffers: see beyond_compute(). Empty if it is not.
-    static std::string refusal(const GpuScene& scene);
-    static bool takes(const GpuScene& scene) { return refusal(scene).empty(); }
+    /// Whether the scene is not too large for this driver's texel buffers and storage blocks, by
+    /// which triangles are found: see beyond_compute().
+    static bool takes(const GpuScene& scene);
 
     /// Adds the scene's cells to `map`.
     void build(const FrameContext& frame, const OccupancyGrid& grid, const BaseMap& map);
