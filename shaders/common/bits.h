@@ -18,8 +18,8 @@ SHARED_FN uint bits_in_range(int word, int first, int last) {
 
 /// Mask of the cells from `cell` on, or of those before it, that lie in word `word`.
 SHARED_FN uint bits_from(int word, int cell, bool before) {
-    int low = clamp(cell - 32 * word, 0, 32);
-    uint from = low == 32 ? 0u : 0xFFFFFFFFu << low;
+    int low = max(cell - 32 * word, 0);
+    uint from = low > 31 ? 0u : 0xFFFFFFFFu << low;
     return before ? ~from : from;
 }
 

@@ -95,7 +95,7 @@ TEST_P(ShearCases, UnsnappedRaysEqualTheirTwinBitForBit) {
         [&](const RomaTestRay& ray, int iterations, int escape) {
             const glm::vec3 direction(ray.direction);
             const auto& map = *std::ranges::min_element(maps_, {}, [&](const ShearedMap& one) {
-                return gpu::roma_crossings(gpu::shear_turned_direction(one.map, direction));
+                return gpu::roma_crossings(gpu::shear_aligned(one.map, direction));
             });
             const gpu::RomaWalk walk =
                 gpu::shear_walk(map.grid, map.map, glm::vec3(ray.point), glm::vec3(ray.normal),

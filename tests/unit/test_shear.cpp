@@ -197,8 +197,9 @@ TEST(Shear, NoColumnBeyondTheFarthestHoldsACell) {
         const Sample sample(random, 1 + trial % 3);
         for (const float far : {-1e30f, -1e4f, 1e4f, 1e30f, -kInfinity, kInfinity})
             for (const bool along_u : {true, false}) {
-                const glm::ivec2 column = gpu::shear_column(
-                    sample.sheared.map, {along_u ? far : 0.5f, along_u ? 0.5f : far, 0.0f});
+                const glm::ivec2 column =
+                    gpu::shear_column(sample.sheared.grid, sample.sheared.map,
+                                      {along_u ? far : 0.5f, along_u ? 0.5f : far, 0.0f});
                 const glm::ivec2 interval = interval_of(sample.sheared, column);
                 ASSERT_GT(interval.x, interval.y);
             }

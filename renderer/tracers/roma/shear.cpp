@@ -44,12 +44,7 @@ int dominant_axis(glm::dvec3 direction) {
 }
 
 glm::dvec3 ShearFrame::along(size_t map) const {
-    const ShearAxes axes(maps[map].slope.z);
-    glm::dvec3 direction;
-    direction[axes.p] = maps[map].slope.x;
-    direction[axes.q] = maps[map].slope.y;
-    direction[axes.m] = 1 << gpu::kShearFractionBits;
-    return glm::normalize(direction);
+    return glm::normalize(glm::dvec3(maps[map].along)); // its fractions are those of the slopes
 }
 
 ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGrid& grid, int taps,
@@ -80,18 +75,18 @@ ShearFrame shear_frame(std::span<const glm::dvec3> directions, const OccupancyGr
             glm::dvec2(direction[axes.p], direction[axes.q]) / direction[axes.m];
         const glm::ivec2 slope(glm::floor(exact * kOne + 0.5));
         const glm::dvec2 rounded = glm::dvec2(slope) / kOne;
-        const double metres = std::sqrt(1.0 + glm::dot(rounded, rounded)) * grid.cell_size;
+        glm::dvec3 along;
+        along[axes.p] = rounded.x;
+        along[axes.q] = rounded.y;
+        along[axes.m] = 1.0;
+        const double metres = glm::length(along) * grid.cell_size;
         const glm::ivec3 size = gpu::shear_size(shared, axes.m);
-        const glm::vec2 farthest =
-            glm::vec2(size) + static_cast<float>(gpu::shear_farthest(size.z));
-        const auto entry = [&](int axis) {
-            return gpu::shear_first_entry(shared, static_cast<int>(frame.maps.size()), axis,
-                                          size.z);
-        };
+        const int entry =
+            gpu::shear_first_entry(shared, static_cast<int>(frame.maps.size()), size.z);
         frame.maps.push_back(
             {glm::ivec4(slope, axes.m, static_cast<int>(frame.texels)),
              glm::vec4(slices_per_cell(slope.x), slices_per_cell(slope.y), 1.0 / metres, metres),
-             glm::vec4(rounded, farthest), glm::ivec4(entry(0), entry(1), size.z, axes.m)});
+             glm::vec4(along, 0.0f), glm::ivec4(entry, size.z, axes.m, 0)});
         frame.texels += static_cast<size_t>(size.x) * static_cast<size_t>(size.y) *
                         static_cast<size_t>(texels_per_column);
     }

@@ -47,8 +47,10 @@ SHARED_FN vec3 roma_aligned(RomaDirection map, vec3 point, int side) {
     return vec3(u, v, w);
 }
 
-/// No cells, if the column lies beside the box.
+/// Leaves the cells of a span that the box has: none, if the column lies beside it.
 SHARED_FN RomaSpan roma_in_box(RomaSpan span, int side) {
+    span.first = max(span.first, 0);
+    span.last = min(span.last, side - 1);
     // As unsigned numbers, those below 0 are beyond the end as well.
     if (uint(span.column.x) >= uint(side) || uint(span.column.y) >= uint(side))
         span.last = span.first - 1;

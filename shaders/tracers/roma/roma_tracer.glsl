@@ -95,7 +95,7 @@ int roma_first_cell(uint words[ROMA_WORDS], bool forward) {
 
 bool roma_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     RomaRay ray = roma_ray_in(map, forward, point, normal, t_max);
-    if (ray.span.first > ray.span.last)
+    if (roma_passes_none(ray.span))
         return false;
     uint words[ROMA_WORDS];
     roma_column(map, ray, t_max >= kRomaUnbounded, words);
@@ -107,7 +107,7 @@ bool roma_any_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
 
 float roma_closest_hit(int map, bool forward, vec3 point, vec3 normal, float t_max) {
     RomaRay ray = roma_ray_in(map, forward, point, normal, t_max);
-    if (ray.span.first > ray.span.last)
+    if (roma_passes_none(ray.span))
         return -1.0;
     uint words[ROMA_WORDS];
     roma_column(map, ray, t_max >= kRomaUnbounded, words);

@@ -28,6 +28,9 @@ RomaSpan roma_bounded(int map, RomaSpan span) {
     return roma_in_box(span, ROMA_SIDE);
 }
 
+/// Whether a ray passes no cell. Half a mask would have some for it.
+bool roma_passes_none(RomaSpan span) { return span.first > span.last; }
+
 int roma_slice_count(int map) { return ROMA_SIDE; }
 
 bool roma_forward_in(int map, vec3 direction) { return roma_is_forward(roma_directions[map], direction); }

@@ -37,9 +37,9 @@ struct ShearMap {
                  ///< texel
     vec4 scale;  ///< x, y: slices per cell along p, q, at most 1e9; z: slices per metre along the
                  ///< direction, w: metres per slice
-    vec4 tilt;   ///< for rays; x, y: slopes, cells per slice; z, w: the farthest place along u, v
-    ivec4 rays; ///< x, y: where place 0 along p, q has its entry in the table of places; z: slices;
-                ///< w: axis m
+    vec4 along;  ///< for rays; xyz: towards later slices, cells along x, y, z per slice; w unused
+    ivec4 rays;  ///< x: where place 0 along p has its entry in the table of places; y: slices; z:
+                 ///< axis m; w unused
 };
 
 /// Along p, q and m, of what is given along x, y and z; m by its number. p is z, as the bits of the
@@ -180,9 +180,9 @@ SHARED_FN RomaSpan shear_inside(RomaSpan span, ShearPlace along_p, ShearPlace al
 /// Columns beyond this many from the grid hold no cell.
 SHARED_FN int shear_farthest(int slices) { return slices + 4; }
 
-/// The entry of place 0 along p (`axis` 0) or q (1).
-SHARED_FN int shear_first_entry(ShearGrid grid, int map, int axis, int slices) {
-    return (2 * map + axis) * grid.row_words.w + shear_farthest(slices);
+/// The entry of place 0 along p. That along q comes as many entries later as an axis has.
+SHARED_FN int shear_first_entry(ShearGrid grid, int map, int slices) {
+    return 2 * map * grid.row_words.w + shear_farthest(slices);
 }
 
 /// The place that an entry of the table is for.
@@ -210,60 +210,59 @@ SHARED_FN vec3 shear_cells(ShearGrid grid, vec3 point) {
     return cells;
 }
 
-/// Aligned coordinates of what is given in cells along p, q and m; a point or a direction.
+/// Aligned coordinates of what is given in cells along x, y and z; a point or a direction.
 SHARED_FN vec3 shear_aligned(ShearMap map, vec3 cells) {
-    EXACT float u = cells.x - map.tilt.x * cells.z;
-    EXACT float v = cells.y - map.tilt.y * cells.z;
-    return vec3(u, v, cells.z);
+    int m = map.rays.z;
+    float w = m == 0 ? cells.x : m == 1 ? cells.y : cells.z;
+    EXACT vec3 foot = cells - vec3(map.along) * w;
+    vec3 turned = shear_turned(foot, m);
+    return vec3(turned.x, turned.y, w);
 }
 
-/// The column, unwrapped, that a place lies in. One that is too far to hold any cell may be told as
-/// another such.
-SHARED_FN ivec2 shear_column(ShearMap map, vec3 aligned) {
-    float far = float(shear_farthest(map.rays.z));
-    return ivec2(int(floor(clamp(aligned.x, -far, map.tilt.z))),
-                 int(floor(clamp(aligned.y, -far, map.tilt.w))));
+/// The column, unwrapped, that a place lies in, if the table has it. For places beyond those of the
+/// table, which hold no cell, the first or last.
+SHARED_FN ivec2 shear_column(ShearGrid grid, ShearMap map, vec3 aligned) {
+    float least = -float(shear_farthest(map.rays.y));
+    float most = least + float(grid.row_words.w - 1);
+    return ivec2(int(floor(clamp(aligned.x, least, most))),
+                 int(floor(clamp(aligned.y, least, most))));
 }
 
 /// A snapped ray, not yet cut by shear_inside. `point`: the surface point, metres; `normal`: unit.
 /// `t_max`: metres from the surface point, infinity allowed.
 SHARED_FN RomaRay shear_ray(ShearGrid grid, ShearMap map, bool forward, vec3 point, vec3 normal,
                             float t_max) {
-    int m = map.rays.w;
+    int m = map.rays.z;
     vec3 surface = shear_cells(grid, point);
     EXACT vec3 moved = surface + normal * grid.inverse.w;
-    vec3 start = shear_aligned(map, shear_turned(moved, m));
+    vec3 start = shear_aligned(map, moved);
     EXACT float reach = t_max < kRomaUnbounded ? t_max * map.scale.z : t_max;
     RomaRay ray;
     ray.surface = m == 0 ? surface.x : m == 1 ? surface.y : surface.z;
     ray.forward = forward;
-    ray.span = roma_slices(start.z, ray.surface, reach, forward, map.rays.z);
-    ray.span.column = shear_column(map, start);
+    ray.span = roma_slices(start.z, ray.surface, reach, forward, map.rays.y);
+    ray.span.column = shear_column(grid, map, start);
     return ray;
-}
-
-/// A direction in aligned coordinates, per cell.
-SHARED_FN vec3 shear_turned_direction(ShearMap map, vec3 direction) {
-    return shear_aligned(map, shear_turned(direction, map.slope.z));
 }
 
 /// A ray that keeps its direction; the others as for shear_ray.
 SHARED_FN RomaWalk shear_walk(ShearGrid grid, ShearMap map, vec3 point, vec3 normal, vec3 direction,
                               float t_max) {
     int m = map.slope.z;
-    vec3 surface = shear_turned(shear_cells(grid, point), m);
-    EXACT vec3 moved = surface + shear_turned(normal, m) * grid.inverse.w;
-    EXACT vec3 turned = shear_turned(direction, m) * grid.origin.w;
+    vec3 surface = shear_cells(grid, point);
+    EXACT vec3 moved = surface + normal * grid.inverse.w;
+    EXACT vec3 scaled = direction * grid.origin.w;
+    vec3 turned = shear_turned(scaled, m);
     EXACT vec3 step = turned * abs(roma_reciprocal(turned.z));
-    vec2 inside = roma_way_inside(moved, step, vec3(shear_size(grid, m)));
-    return roma_walk(shear_aligned(map, moved), surface.z, shear_aligned(map, turned), inside,
-                     t_max);
+    vec2 inside = roma_way_inside(shear_turned(moved, m), step, vec3(shear_size(grid, m)));
+    return roma_walk(shear_aligned(map, moved), shear_turned(surface, m).z,
+                     shear_aligned(map, scaled), inside, t_max);
 }
 
 /// Whether a direction points to the candidate's side, rather than to its opposite's.
 SHARED_FN bool shear_is_forward(ShearMap map, vec3 direction) {
-    vec3 turned = shear_turned(direction, map.rays.w);
-    EXACT float cosine = turned.x * map.tilt.x + turned.y * map.tilt.y + turned.z;
+    EXACT float cosine =
+        direction.x * map.along.x + direction.y * map.along.y + direction.z * map.along.z;
     return cosine >= 0.0f;
 }
 

@@ -13,14 +13,15 @@ layout(std430, binding = 4) readonly buffer ShearMaps { ShearMap shear_maps[]; }
 /// The cells of a span that its column has, and where that is: roma_place. For columns that
 /// shear_column gives.
 RomaSpan roma_inside(int map, RomaSpan span) {
-    ivec2 entries = shear_maps[map].rays.xy + span.column;
+    int first = shear_maps[map].rays.x;
+    ivec2 entries = ivec2(first, first + shear_grid.row_words.w) + span.column;
     return shear_cut(span, texelFetch(shear_places, entries.x).xy, texelFetch(shear_places, entries.y).xy);
 }
 
 /// Likewise for any.
 RomaSpan roma_bounded(int map, RomaSpan span) {
-    int far = shear_farthest(shear_maps[map].rays.z);
-    span.column = clamp(span.column, ivec2(-far), ivec2(shear_maps[map].tilt.zw));
+    int least = -shear_farthest(shear_maps[map].rays.y);
+    span.column = clamp(span.column, least, least + shear_grid.row_words.w - 1);
     return roma_inside(map, span);
 }
 
@@ -36,10 +37,13 @@ RomaWalk roma_walk_in(int map, vec3 point, vec3 normal, vec3 direction, float t_
 }
 
 float roma_crossings_in(int map, vec3 direction) {
-    return roma_crossings(shear_turned_direction(shear_maps[map], direction));
+    return roma_crossings(shear_aligned(shear_maps[map], direction));
 }
 
-int roma_slice_count(int map) { return shear_maps[map].rays.z; }
+/// Whether a ray passes no cell: masks of both ends leave none for it, which takes less than to ask.
+bool roma_passes_none(RomaSpan span) { return false; }
+
+int roma_slice_count(int map) { return shear_maps[map].rays.y; }
 
 bool roma_forward_in(int map, vec3 direction) { return shear_is_forward(shear_maps[map], direction); }
 

@@ -32,7 +32,8 @@ struct RomaRay {
     bool forward;
 };
 
-/// The slices that a ray passes in a map of `count`, its column aside.
+/// The slices that a ray passes in a map of `count`, its column aside; they may go on beyond the
+/// map, until they are cut to a column.
 /// `start`: third aligned coordinate of the ray's origin, moved off the surface; it may lie
 /// outside. `surface`: that of the surface point itself, from which `reach` counts. `reach`: how
 /// far the ray goes, in slices; infinity allowed. A cell counts if the ray enters it before its
@@ -56,8 +57,6 @@ SHARED_FN RomaSpan roma_slices(float start, float surface, float reach, bool for
         else
             span.first = max(int(floor(end)), 0);
     }
-    span.first = max(span.first, 0);
-    span.last = min(span.last, count - 1);
     return span;
 }
 
