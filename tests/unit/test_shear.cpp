@@ -18,6 +18,7 @@ namespace romascope {
 namespace {
 
 constexpr float kInfinity = std::numeric_limits<float>::infinity();
+constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
 
 glm::dvec3 any_direction(std::mt19937& random) {
     // One in four along an axis, in a plane of two axes or in a diagonal, where ties are.
@@ -195,11 +196,17 @@ TEST(Shear, NoColumnBeyondTheFarthestHoldsACell) {
     std::mt19937 random(3);
     for (int trial = 0; trial < 300; ++trial) {
         const Sample sample(random, 1 + trial % 3);
-        for (const float far : {-1e30f, -1e4f, 1e4f, 1e30f, -kInfinity, kInfinity})
+        for (const float far : {-1e30f, -1e4f, 1e4f, 1e30f, -kInfinity, kInfinity, kNan})
             for (const bool along_u : {true, false}) {
-                const glm::ivec2 column =
-                    gpu::shear_column(sample.sheared.grid, sample.sheared.map,
-                                      {along_u ? far : 0.5f, along_u ? 0.5f : far, 0.0f});
+                const gpu::ShearGrid& grid = sample.sheared.grid;
+                const glm::ivec2 column = gpu::shear_column(
+                    grid, sample.sheared.map, {along_u ? far : 0.5f, along_u ? 0.5f : far, 0.0f});
+                // Both have an entry in the table of places.
+                for (const int place : {column.x, column.y}) {
+                    const int entry = place + gpu::shear_farthest(sample.sheared.map.rays.y);
+                    ASSERT_GE(entry, 0) << far;
+                    ASSERT_LT(entry, grid.row_words.w) << far;
+                }
                 const glm::ivec2 interval = interval_of(sample.sheared, column);
                 ASSERT_GT(interval.x, interval.y);
             }

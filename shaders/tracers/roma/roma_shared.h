@@ -63,8 +63,8 @@ SHARED_FN RomaSpan roma_span(vec3 start, float surface, float reach, bool forwar
     RomaSpan span = roma_slices(start.z, surface, reach, forward, side);
     // Clamped before they become integers, which infinities and far points could not.
     float limit = float(side);
-    span.column =
-        ivec2(int(floor(clamp(start.x, -1.0f, limit))), int(floor(clamp(start.y, -1.0f, limit))));
+    span.column = ivec2(int(floor(roma_within(start.x, -1.0f, limit))),
+                        int(floor(roma_within(start.y, -1.0f, limit))));
     return roma_in_box(span, side);
 }
 

@@ -220,12 +220,12 @@ SHARED_FN vec3 shear_aligned(ShearMap map, vec3 cells) {
 }
 
 /// The column, unwrapped, that a place lies in, if the table has it. For places beyond those of the
-/// table, which hold no cell, the first or last.
+/// table, which hold no cell, the first or last; for NaN the first.
 SHARED_FN ivec2 shear_column(ShearGrid grid, ShearMap map, vec3 aligned) {
     float least = -float(shear_farthest(map.rays.y));
     float most = least + float(grid.row_words.w - 1);
-    return ivec2(int(floor(clamp(aligned.x, least, most))),
-                 int(floor(clamp(aligned.y, least, most))));
+    return ivec2(int(floor(roma_within(aligned.x, least, most))),
+                 int(floor(roma_within(aligned.y, least, most))));
 }
 
 /// A snapped ray, not yet cut by shear_inside. `point`: the surface point, metres; `normal`: unit.

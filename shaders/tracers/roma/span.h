@@ -17,6 +17,11 @@ namespace romascope::gpu {
 /// the distance is a constant; then nothing is spent on it.
 const float kRomaUnbounded = 3.0e38f;
 
+/// The nearest number to `x` from `low` to `high`, which can become an integer whatever `x` is:
+/// `low` for NaN. Not clamp, whose min(max(x, low), high) lets NaN through where max(a, b) is a
+/// unless a < b.
+SHARED_FN float roma_within(float x, float low, float high) { return min(max(low, x), high); }
+
 /// The cells a snapped ray passes: bits first..last of one column; none if first > last.
 struct RomaSpan {
     ivec2 column;
@@ -44,14 +49,14 @@ SHARED_FN RomaSpan roma_slices(float start, float surface, float reach, bool for
     float limit = float(count);
     // Clamped before they become integers, which infinities and far points could not.
     // A ray that starts on a face between two cells is in the one ahead of it.
-    float at = clamp(start, -1.0f, limit + 1.0f);
+    float at = roma_within(start, -1.0f, limit + 1.0f);
     int below = int(floor(forward ? at : -at));
     span.start = forward ? below : -below - 1;
     span.first = forward ? span.start : 0;
     span.last = forward ? count - 1 : span.start;
     if (reach < kRomaUnbounded) {
         EXACT float end = forward ? surface + reach : surface - reach;
-        end = clamp(end, -1.0f, limit + 1.0f);
+        end = roma_within(end, -1.0f, limit + 1.0f);
         if (forward)
             span.last = min(int(ceil(end)) - 1, count - 1);
         else

@@ -61,7 +61,7 @@ SHARED_FN RomaWalk roma_walk(vec3 start, float surface, vec3 direction, vec2 ins
     for (int axis = 0; axis < 2; ++axis) {
         EXACT float slope = direction[axis] * walk.metres_per_slice;
         EXACT float place = start[axis] + slope * inside.x;
-        place = clamp(place, -1e6f, 1e6f);
+        place = roma_within(place, -1e6f, 1e6f);
         float cell = floor(place);
         float pace = abs(roma_reciprocal(slope));
         EXACT float border = inside.x + (slope < 0.0f ? place - cell : cell + 1.0f - place) * pace;
@@ -91,8 +91,8 @@ SHARED_FN RomaSpan roma_walk_span(RomaWalk walk, float until, int count) {
     EXACT float to = walk.start + until;
     // Clamped before they become integers, which infinities and far points could not.
     float limit = float(count + 2);
-    int first = int(floor(clamp(from, -limit, limit)));
-    int last = int(ceil(clamp(to, -limit, limit))) - 1;
+    int first = int(floor(roma_within(from, -limit, limit)));
+    int last = int(ceil(roma_within(to, -limit, limit))) - 1;
     RomaSpan span;
     span.column = walk.column;
     span.start = walk.forward ? first : -first - 1;
