@@ -43,7 +43,9 @@ Settings bench_settings(const BenchOptions& options) {
     settings.set(kWidth, 640);
     settings.set(kHeight, 360);
     settings.set(kAoRays, 1);
-    return options.settings.apply_to(settings);
+    settings = options.settings.apply_to(settings);
+    check_one_moment(settings);
+    return settings;
 }
 
 std::string date_now() {
@@ -89,7 +91,7 @@ void check_memory_of_all(const Scene& scene, const std::vector<BenchVariant>& va
 int bench(const BenchOptions& options) {
     const Settings settings = bench_settings(options);
     const std::vector<BenchVariant> variants = expand_variants(
-        settings, options.variations.empty() ? default_variations(settings)
+        settings, options.variations.empty() ? default_variations(settings, options.settings)
                                              : parse_variations(settings, options.variations));
     const size_t baseline = options.baseline.empty() ? 0 : find_variant(variants, options.baseline);
     if (!(options.seconds > 0.0 && options.seconds <= 3600.0))
@@ -147,7 +149,8 @@ Command add_bench_command(CLI::App& app) {
                      "else the first")
         ->type_name("NAME");
     options->settings.add_to(*command, "width and height in pixels; else 640x360",
-                             "rounds to measure; else as many as --seconds has");
+                             "rounds to measure; else as many as --seconds has",
+                             SettingsOptions::Moments::one);
     command->add_option("--seconds", options->seconds, "how long to measure, after a warm-up")
         ->type_name("S")
         ->capture_default_str();

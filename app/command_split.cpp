@@ -50,8 +50,7 @@ Settings split_settings(const SplitOptions& options) {
     settings.set(kHeight, 36);
     settings.set(kFrames, 16);
     settings = options.settings.apply_to(settings);
-    if (settings.get(kFps) != 0.0)
-        throw Error("--fps: all rays are of one moment; choose it with --time", kBadInput);
+    check_one_moment(settings);
     return settings;
 }
 
@@ -59,7 +58,7 @@ std::vector<BenchVariant> variants_of(const SplitOptions& options, const Setting
     if (!options.variations.empty())
         return expand_variants(settings, parse_variations(settings, options.variations),
                                kMostVariants);
-    std::vector<Variation> variations = default_variations(settings);
+    std::vector<Variation> variations = default_variations(settings, options.settings);
     std::erase_if(variations, [](const Variation& variation) {
         return variation.knob->key() == "dda2d.hierarchy"; // it changes no hit
     });
@@ -297,7 +296,7 @@ Command add_split_command(CLI::App& app) {
         ->delimiter(',')
         ->allow_extra_args(false);
     options->settings.add_to(*command, "pixels whose surfaces rays start from; else 64x36",
-                             "rays from each; else 16");
+                             "rays from each; else 16", SettingsOptions::Moments::one);
     command->add_option("--csv", options->csv, "write the counts as CSV too")->type_name("FILE");
     command->add_option("--json", options->json, "write the counts as JSON too")->type_name("FILE");
     command

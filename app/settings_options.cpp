@@ -7,6 +7,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <functional>
+
 namespace romascope {
 namespace {
 
@@ -26,7 +29,7 @@ void set_size(Settings& settings, const std::string& text) {
 } // namespace
 
 void SettingsOptions::add_to(CLI::App& command, const std::string& size_help,
-                             const std::string& frames_help) {
+                             const std::string& frames_help, Moments moments) {
     command
         .add_option("--technique", technique,
                     "methods and values by name, see 'romascope info --techniques'")
@@ -49,9 +52,13 @@ void SettingsOptions::add_to(CLI::App& command, const std::string& size_help,
     command.add_option("--seed", seed, "of every random choice")->type_name("N");
     command.add_option("--time", time, "seconds into the animation, in the first frame")
         ->type_name("SECONDS");
-    command
-        .add_option("--fps", fps, "let time go on, so many frames a second; else it stands still")
-        ->type_name("N");
+    CLI::Option* course =
+        command
+            .add_option("--fps", fps,
+                        "let time go on, so many frames a second; else it stands still")
+            ->type_name("N");
+    if (moments == Moments::one)
+        course->group(""); // it is known, so that it is refused in a word, but not in the help
     command
         .add_option("--animation", animation,
                     "an animation of the scene by name or number, or none; else the first")
@@ -78,6 +85,21 @@ Settings SettingsOptions::apply_to(Settings settings) const {
     for (const std::string& assignment : assignments)
         settings.set_assignment(assignment);
     return settings;
+}
+
+bool SettingsOptions::decide(const KnobBase& knob, const std::vector<std::string>& values) const {
+    std::vector<KnobValue> after;
+    for (const std::string& value : values) {
+        Settings before(all_knobs());
+        before.set_text(knob.key(), value);
+        after.push_back(apply_to(before).value(knob));
+    }
+    return std::ranges::adjacent_find(after, std::ranges::not_equal_to()) == after.end();
+}
+
+void check_one_moment(const Settings& settings) {
+    if (settings.get(kFps) != 0.0)
+        throw Error("--fps: all rays are of one moment; choose it with --time", kBadInput);
 }
 
 } // namespace romascope

@@ -167,12 +167,13 @@ std::vector<Variation> parse_variations(const Settings& base,
     return variations;
 }
 
-std::vector<Variation> default_variations(const Settings& base) {
+std::vector<Variation> default_variations(const Settings& base, const SettingsOptions& options) {
     std::vector<Variation> variations;
     const std::string only = base.get(kTracer);
     for (const Variation& variation : {Variation{&kRomaAlignment, {"rotate", "shear"}},
                                        Variation{&kDda2dHierarchy, {"true", "false"}}})
-        if (base.is_default(*variation.knob) && (only.empty() || concerns(variation, only)))
+        if (!options.decide(*variation.knob, variation.values) &&
+            (only.empty() || concerns(variation, only)))
             variations.push_back(variation);
     return variations;
 }

@@ -2,6 +2,7 @@
 // What a benchmark compares: tracers, and choices of their settings.
 #pragma once
 
+#include "app/settings_options.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -31,8 +32,9 @@ std::vector<Variation> parse_variations(const Settings& base,
                                         const std::vector<std::string>& texts);
 
 /// What is compared where nothing else was asked for: the alignments of ROMA, the hierarchy on and
-/// off; but for settings that `base` has changed or whose tracer it does not name.
-std::vector<Variation> default_variations(const Settings& base);
+/// off; but for settings that the options decide, be it by their technique, or whose tracer `base`,
+/// which is what the options make of a command's settings, does not name.
+std::vector<Variation> default_variations(const Settings& base, const SettingsOptions& options);
 
 inline constexpr size_t kMostBenchVariants = 64;
 

@@ -110,6 +110,34 @@ class Bench(CliTest):
         self.assertEqual(self.names(rows), ["samples"])
         self.assertIn("samples.count=4", facts["settings"])
 
+    def test_a_value_that_is_given_is_the_only_one(self):
+        self.write("shear.toml", "roma.alignment = 'shear'")
+        self.write("other.toml", "ao.rays = 1")
+        roma = ("--set", "technique.tracer=roma")
+        dda2d = ("--set", "technique.tracer=dda2d")
+        both = ["roma roma.alignment=rotate", "roma roma.alignment=shear"]
+        for words, names in (
+                (roma, both), ((*roma, "--config", "other.toml"), both),
+                ((*roma, "--set", "roma.alignment=shear"), ["roma"]),
+                ((*roma, "--set", "roma.alignment=rotate"), ["roma"]),
+                ((*roma, "--config", "shear.toml"), ["roma"]),
+                (("--technique", "roma"), ["roma"]), (("--technique", "roma-rotate"), ["roma"]),
+                (dda2d, ["dda2d dda2d.hierarchy=true", "dda2d dda2d.hierarchy=false"]),
+                ((*dda2d, "--set", "dda2d.hierarchy=on"), ["dda2d"]),
+                (("--technique", "dda2d"), ["dda2d"])):
+            with self.subTest(words):
+                _, rows = self.bench(*words, rounds=1)
+                self.assertEqual(self.names(rows), names)
+        facts, _ = self.bench(*roma, "--set", "roma.alignment=rotate", rounds=1)
+        self.assertIn("roma.alignment=rotate", facts["settings"])
+
+    def test_time_stands_still(self):
+        for command in ("bench", "split"):
+            self.assertNotIn("--fps", self.succeed(command, "--help").stdout)
+            for words in (("--fps", "25"), ("--set", "render.fps=25")):
+                self.refuse(command, "scene.glb", *words, says="--fps: all rays are of one moment")
+        self.assertIn("--fps", self.succeed("render", "--help").stdout)
+
     def test_json_holds_the_same(self):
         facts, rows = self.bench("--json", "out.json", "--set", "technique.tracer=dda")
         found = json.loads(self.path("out.json").read_text())

@@ -104,6 +104,14 @@ class Split(CliTest):
             least = min(wrong(other) for other in self.names(rows) if other.startswith(group))
             self.assertEqual(wrong(name), least)
 
+    def test_an_alignment_that_is_given_is_the_only_one(self):
+        roma = ("--set", "technique.tracer=roma")
+        both = ["roma roma.alignment=rotate", "roma roma.alignment=shear"]
+        for words, names in ((roma, both), ((*roma, "--set", "roma.alignment=shear"), ["roma"]),
+                             (("--technique", "roma"), ["roma"])):
+            with self.subTest(words):
+                self.assertEqual(self.names(self.split(*words)[1]), names)
+
     def test_cameras(self):
         facts, rows = self.split("--technique", "dda", "--camera", "3,2,4/0,0,0/50")
         self.assertIn("3,2,4/0,0,0/50", facts["scene"])
