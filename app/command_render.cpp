@@ -187,6 +187,8 @@ int render(const RenderOptions& options) {
         write_image(options.output, run.picture);
     if (!options.report.empty())
         write_file_atomically(options.report, report_json(facts));
+    for (const std::string& notice : notices_of(settings, run.counts))
+        tell_notice(file, notice);
     if (options.table)
         fmt::print("{}", report_table(facts));
     else if (options.report.empty())

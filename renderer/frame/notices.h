@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "renderer/passes/frame_context.h"
 #include "renderer/scene/scene.h"
 #include "renderer/settings/settings.h"
 
@@ -13,5 +14,13 @@ namespace romascope {
 /// what the current context's driver cannot do with a scene of this size, so that it is done in
 /// another way; a view of a stage that is off.
 std::vector<std::string> notices_of(const Settings& settings, const Scene& scene);
+
+/// Share of the pixels that see a surface, above which it is told that they found no room in the
+/// spatial hash.
+inline constexpr double kToleratedFailures = 0.01;
+
+/// What a frame's counts tell of it that a picture does not, likewise: a hash table that is full.
+std::vector<std::string> notices_of(const Settings& settings,
+                                    const std::vector<NamedCount>& counts);
 
 } // namespace romascope

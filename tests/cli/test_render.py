@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Pictures that `romascope render` writes."""
 
+import json
 import re
 
 from helper import CliTest, SIZE, SOURCE, read_png
@@ -134,8 +135,9 @@ class Reference(CliTest):
 
     def test_flight(self):
         def fly(*words):
-            text = self.render("last.hdr", "--technique", "roma-hash", "--set", "hash.capacity=10",
-                               "--frames", "5", "--table", *words).stdout
+            text = self.succeed("render", "scene.glb", "-o", "last.hdr", "--size", "64x48",
+                                "--technique", "roma-hash", "--set", "hash.capacity=10",
+                                "--frames", "5", "--table", *words).stdout
             self.assertRegex(text, r"\A\S+, flight through front, above, ")
             return self.path("last.hdr").read_bytes(), text
 
@@ -155,6 +157,20 @@ class Reference(CliTest):
         self.render("above.hdr", "--technique", "roma-hash", "--camera", "above", "--frames",
                     "5", *one)
         self.assertEqual(self.path("flown.hdr").read_bytes(), self.path("above.hdr").read_bytes())
+
+    def test_a_full_hash_table_is_told_of(self):
+        words = ("render", "scene.glb", "--technique", "roma-hash", "--set", "ao.rays=2", "--set",
+                 "hash.footprint=1", "--size", "64x48", "--frames", "4", "--report", "out.json",
+                 "--set")
+        told = self.succeed(*words, "hash.capacity=10").stderr
+        counts = json.loads(self.path("out.json").read_text())["counts"]
+        surfaces = (counts["hash rays traced"] + counts["hash rays saved"]) // 2
+        self.assertLess(surfaces, 64 * 48)
+        self.assertGreater(counts["hash failed pixels"], surfaces / 100)
+        self.assertEqual(told, f"notice: scene.glb: hash table full: {counts['hash failed pixels']} "
+                         f"of {surfaces} pixels found no room in the last frame and show their own "
+                         "rays; pictures may differ from run to run; raise hash.capacity\n")
+        self.assertEqual(self.succeed(*words, "hash.capacity=16").stderr, "")
 
     def test_view_of_a_stage_that_is_off(self):
         view = ("render", "scene.glb", "-o", "out.png", "--size", "8x8", "--set", "frame.view=history")
