@@ -74,8 +74,8 @@ void Shearing::shear_at_once(const FrameContext& frame, const Program& program,
         const glm::ivec2 columns(frame_.size(map));
         const bool along_z = frame_.maps[map].slope.z == 2;
         const int together = 32 * layout_.words_per_texel;
-        groups = std::max(groups,
-                          along_z ? (columns.x * columns.y + together - 1) / together : columns.y);
+        groups =
+            std::max(groups, columns.y * (along_z ? (columns.x + together - 1) / together : 1));
     }
     const int layers = static_cast<int>(frame_.maps.size()) * layout_.texels + 1;
     pass.repeat([&] {

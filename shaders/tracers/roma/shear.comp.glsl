@@ -136,54 +136,52 @@ void shear_row(ShearMap map, ivec3 size, int row, int part) {
     }
 }
 
-/// Of each slice of a part, where column (0, 0) has its cell: x, and y times the length of a row.
+/// Of each slice of a part, where the first column of a row has its cell: x, and the first word of
+/// its row in a layer of base words, below 0 for the guard.
 shared ivec2 places[SHEAR_TAPS][kInvocations];
 
-/// The word of a column whose slices along z are those of layer `layer` of base words; `first_place`:
-/// of its slices in `places`.
-uint word_of_column(ivec3 size, ivec2 column, int layer, int first_place) {
-    uint row_end = uint(size.y * base_size.x), layer_words = uint(base_size.y * base_size.x);
+/// The word of column `column` of that row whose slices along z are those of layer `layer` of base
+/// words; `first_place`: of its slices in `places`.
+uint word_of_column(ivec3 size, uint column, int layer, int first_place) {
+    uint first_word = uint(layer * base_size.y * base_size.x);
     uint bits = 0u;
     for (int k = 0; k < 32; ++k) {
         for (int tap = 0; tap < SHEAR_TAPS; ++tap) {
             ivec2 place = places[tap][first_place + k];
-            uint x = uint(column.x + place.x), row = uint(column.y * base_size.x + place.y);
-            // Wrapped: the lesser, as one below 0 is a large one.
-            x = min(x, x - uint(size.x));
-            row = min(row, row - row_end);
-            uint at = uint(layer) * layer_words + row + x;
+            uint x = column + uint(place.x);
+            x = min(x, x - uint(size.x)); // wrapped: the lesser, as one below 0 is a large one
 #if SHEAR_TAPS > 1
-            bool inside = x < uint(base_size.x) && row < layer_words; // not in the guard
-            bits |= (inside ? base_words[at] : 0u) & (1u << k);
+            bool inside = x < uint(base_size.x) && place.y >= 0;
+            bits |= (inside ? base_words[first_word + uint(place.y) + x] : 0u) & (1u << k);
 #else
-            bits |= base_words[at] & (1u << k);
+            bits |= base_words[first_word + uint(place.y) + x] & (1u << k);
 #endif
         }
     }
     return bits;
 }
 
-/// As many columns as invocations of a map with slices along z, from the one that is stored in place
-/// `first` on; part `part` of them.
-void shear_columns(ShearMap map, ivec3 size, int first, int part) {
+/// As many columns as invocations of row `row` of a map with slices along z, from `first` on; part
+/// `part` of them.
+void shear_columns(ShearMap map, ivec3 size, int row, int first, int part) {
     int invocation = int(gl_LocalInvocationIndex);
     for (int tap = 0; tap < SHEAR_TAPS; ++tap) {
         ivec2 moved = shear_tap(map.slope.xy, kInvocations * part + invocation, tap, SHEAR_TAPS);
-        places[tap][invocation] = shear_wrapped_column(shear_grid, 2, moved) * ivec2(1, base_size.x);
+        ivec2 place = shear_wrapped_column(shear_grid, 2, moved + ivec2(0, row));
+        places[tap][invocation] = ivec2(place.x, place.y < base_size.y ? place.y * base_size.x : -1);
     }
     barrier();
     int column = first + invocation;
-    if (column >= size.x * size.y)
+    if (column >= size.x)
         return;
-    int j = column / size.x, i = column - j * size.x;
     uvec4 texel = uvec4(0u);
     for (int word = 0; word < ROMA_WORDS_PER_TEXEL; ++word) {
         int layer = ROMA_WORDS_PER_TEXEL * part + word;
         if (32 * layer >= size.z)
             break;
-        texel[word] = word_of_column(size, ivec2(i, j), layer, 32 * word);
+        texel[word] = word_of_column(size, uint(column), layer, 32 * word);
     }
-    imageStore(aligned_maps, map.slope.w + column * ROMA_TEXELS_PER_COLUMN + part, texel);
+    imageStore(aligned_maps, shear_texel(map, size.x, ivec2(column, row), part, ROMA_TEXELS_PER_COLUMN), texel);
 }
 
 void main() {
@@ -196,8 +194,10 @@ void main() {
     ShearMap map = shear_maps[layer / ROMA_TEXELS_PER_COLUMN];
     ivec3 size = shear_size(shear_grid, map.slope.z);
     if (map.slope.z == 2) {
-        if (group * kInvocations < size.x * size.y)
-            shear_columns(map, size, group * kInvocations, part);
+        int across = (size.x + kInvocations - 1) / kInvocations;
+        int row = group / across;
+        if (row < size.y)
+            shear_columns(map, size, row, kInvocations * (group - row * across), part);
     } else if (group < size.y) {
         shear_row(map, size, group, part);
     }
