@@ -54,7 +54,7 @@ void dispatch_rows(const Program& program, size_t count) {
 
 /// A block more than needed, so that rounding puts nothing beyond the last.
 glm::ivec3 grid_size(glm::vec3 extent, float block) {
-    return glm::ivec3(glm::min(glm::floor(extent / block), glm::vec3(1e4f))) + 2;
+    return glm::ivec3(glm::floor(extent / block)) + 2;
 }
 
 /// Of the buffers.
@@ -66,11 +66,11 @@ Words words_of(glm::ivec3 size) {
                z = static_cast<size_t>(size.z);
     const size_t rows = gpu::kMarks * y * gpu::kMarks * z, blocks = x * y * z;
     return {blocks,
-            1 + rows * static_cast<size_t>(gpu::row_words(size)),
+            2 + rows * static_cast<size_t>(gpu::row_words(size)),
             x * rows,
             gpu::kMarks * blocks,
             gpu::kMarks * blocks,
-            (1 + gpu::kReaches) * blocks};
+            (1 + gpu::kReaches) * blocks + 1};
 }
 
 } // namespace
@@ -191,7 +191,7 @@ void ChangeVolume::measure(const FrameContext& frame, const Reaches& reaches) {
 
     const auto in_boxes = [&](float metres) {
         return std::min(static_cast<double>(metres) * double{grid_.blocks_per_metre},
-                        double{kLongestSide}) *
+                        2.0 * kLongestSide) * // more than a diagonal
                gpu::kMarks;
     };
     // As far as the blocks lie around one that is within reach.
@@ -215,6 +215,7 @@ void ChangeVolume::measure(const FrameContext& frame, const Reaches& reaches) {
         blocks.set(fmt::format("block_squares[{}]", i).c_str(), static_cast<int>(reach * reach));
     }
     blocks.set("frame_before", last_change_);
+    blocks.set("frame", frame.frame);
     plane_squares_.bind(GL_SHADER_STORAGE_BUFFER, 0);
     changes_.bind(GL_SHADER_STORAGE_BUFFER, 1);
     moved_boxes_.bind(GL_SHADER_STORAGE_BUFFER, 2);
@@ -253,7 +254,7 @@ size_t ChangeVolume::bytes_needed(size_t vertices) {
     constexpr size_t kRows = kMostBoxes / gpu::kMarks, kPlanes = kRows / gpu::kMarks,
                      kBlocks = kPlanes / gpu::kMarks;
     return vertices * sizeof(glm::vec3) +
-           (1 + 2 * kRows + 2 * kPlanes + (1 + gpu::kReaches) * kBlocks) * sizeof(uint32_t);
+           (3 + 2 * kRows + 2 * kPlanes + (1 + gpu::kReaches) * kBlocks) * sizeof(uint32_t);
 }
 
 std::vector<ShaderVariant> ChangeVolume::variants() {

@@ -15,7 +15,8 @@ gpu::ChangeGrid change_grid(const Bounds& bounds, float reach);
 
 /// How far what moved last lies from each block of the scene, and in which frame something moved
 /// before within reach of any point of it: by the boxes that triangles touch, where they were and
-/// where they are. Nothing within reach is missed. The same vertices give the same distances.
+/// where they are. Distances beyond all reaches are not told apart. Nothing within reach is missed.
+/// The same vertices give the same distances.
 class ChangeVolume {
 public:
     /// Metres from a point within which moves are told, from the shortest on.
@@ -38,7 +39,9 @@ public:
     void bind(const Program& program) const;
 
     const gpu::ChangeGrid& grid() const { return grid_; }
-    /// The frame of the last update, or of begin().
+    /// What the blocks cover, metres.
+    const Bounds& bounds() const { return bounds_; }
+    /// The frame of the last update, whether anything moved or not, or of begin().
     uint32_t last_change() const { return last_change_; }
     /// Of all blocks (gpu::block_index), see block_distance.comp.glsl. Waits for the GPU.
     std::vector<uint32_t> download() const { return changes_.download<uint32_t>(); }

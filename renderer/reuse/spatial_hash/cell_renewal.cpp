@@ -49,13 +49,15 @@ void CellRenewal::begin(const FrameContext& frame) {
         begun_ = true;
         return;
     }
-    const float cell = OccupancyGrid::fit(frame.scene.bounds(), settings.get(kOccupancyResolution),
-                                          glm::vec3(0.0f))
-                           .cell_size;
-    const float reach = radius + kTracedCells * cell;
-    changes_.begin(frame, *first_vertex_, reach);
+    const auto map_cell = [&](const Bounds& bounds) {
+        return OccupancyGrid::fit(bounds, settings.get(kOccupancyResolution), glm::vec3(0.0f))
+            .cell_size;
+    };
+    const float cell = map_cell(frame.scene.bounds());
+    changes_.begin(frame, *first_vertex_, radius + kTracedCells * cell);
     tolerance_ = kToleratedCells * cell;
-    cell_reach_ = reach;
+    // The scene may come to fill the volume, and the map's cells grow with it.
+    cell_reach_ = radius + kTracedCells * map_cell(changes_.bounds());
     // Cells up to a block share the first reach.
     const float block = 1.0f / changes_.grid().blocks_per_metre;
     first_level_ = gpu::cell_level(block / smallest_cell_size(settings));

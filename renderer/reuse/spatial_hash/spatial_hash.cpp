@@ -111,11 +111,11 @@ void SpatialHash::prepare(const FrameContext& frame, const View& view) {
     Settings meaning = meaning_of(frame.settings);
     if (stale_ || meaning_ != meaning)
         renewal_.release(); // which then cannot follow
+    stale_ = true; // until settle(): a frame that fails leaves neither ages nor changes right
     if (!renewal_.follow(frame, max_age(frame.settings))) {
         table_.clear();
         renewal_.begin(frame);
     }
-    stale_ = false;
     meaning_ = std::move(meaning);
 
     const glm::ivec3 extent(view.size, 1);
@@ -145,6 +145,7 @@ void SpatialHash::run(const FrameContext& frame, const View& view, const GBuffer
     add(frame, visibility);
     resolve(frame, visibility);
     settle(frame);
+    stale_ = false;
     if (shown && !before)
         draw(frame, view, gbuffer);
     if (!shown)

@@ -5,9 +5,10 @@
 //
 // In:   plane_squares: see plane_distance.comp.glsl; moved_boxes
 // Out:  changes: a squared distance a block, in boxes, no more than farthest * farthest; then
-//       kReaches grids, one after another, a frame a block
+//       kReaches grids, one after another, a frame a block; then the frame in which anything moved
+//       last
 // Host: see change_grid.glsl; farthest: boxes; block_squares[kReaches]: squares of the reaches from
-//       the centre of a block, in boxes; frame_before: of the change before
+//       the centre of a block, in boxes; frame; frame_before: of the change before
 #include "shaders/reuse/changes/change_grid.glsl"
 
 layout(local_size_x = 64) in;
@@ -15,10 +16,12 @@ layout(std430, binding = 0) readonly buffer PlaneSquares { int plane_squares[]; 
 layout(std430, binding = 1) buffer Changes { uint changes[]; };
 layout(std430, binding = 2) readonly buffer MovedBoxes {
     uint all_moved;
+    uint any_moved;
     uint moved_boxes[];
 };
 uniform int farthest;
 uniform int block_squares[kReaches];
+uniform uint frame;
 uniform uint frame_before;
 
 void main() {
@@ -45,5 +48,7 @@ void main() {
                                            square_to_box(other - z, i));
         }
     }
+    if (index == 0u && any_moved != 0u)
+        changes[uint(1 + kReaches) * blocks] = frame;
     changes[index] = all_moved != 0u ? 0u : uint(nearest);
 }

@@ -4,7 +4,8 @@
 //
 // What moves is marked in finer boxes, kMarks to a block along each axis. Lengths between blocks
 // are told in boxes, from the centre of a block to the nearest point of the nearest marked box:
-// never longer than to what moved, shorter by less than the diagonal of a box.
+// never longer than to what moved, shorter by less than the diagonal of a box; beyond all reaches
+// they are not told apart.
 #pragma once
 #include "shaders/common/cross.h"
 #ifdef __cplusplus
@@ -32,7 +33,7 @@ SHARED_FN int block_along(float place, int count) {
     return place > 0.0f ? int(min(place, float(count - 1))) : 0;
 }
 SHARED_FN ivec3 block_of(vec3 position, ChangeGrid grid) {
-    vec3 place = (position - grid.origin) * grid.blocks_per_metre;
+    EXACT vec3 place = (position - grid.origin) * grid.blocks_per_metre;
     return ivec3(block_along(place.x, grid.size.x), block_along(place.y, grid.size.y),
                  block_along(place.z, grid.size.z));
 }
@@ -47,7 +48,8 @@ SHARED_FN ivec3 block_at(uint index, ivec3 size) {
 }
 
 SHARED_FN vec3 centre_of_block(ivec3 block, ChangeGrid grid) {
-    return grid.origin + (vec3(block) + 0.5f) / grid.blocks_per_metre;
+    EXACT vec3 centre = grid.origin + (vec3(block) + 0.5f) / grid.blocks_per_metre;
+    return centre;
 }
 
 /// The first box behind the centre of a block along an axis: the one before is as near.

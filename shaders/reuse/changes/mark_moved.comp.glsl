@@ -4,7 +4,8 @@
 //
 // In:   positions; indices; followed: the moving vertices as they were when they were last found to
 //       have moved
-// Out:  moved_boxes: a word 1 if some triangle is too large to be marked, then rows of bits
+// Out:  moved_boxes: a word 1 if some triangle is too large to be marked, one if any moved, then rows
+//       of bits
 // Host: see change_grid.glsl, followed_vertices.glsl; triangle_count
 #include "shaders/reuse/changes/change_grid.glsl"
 #include "shaders/reuse/changes/followed_vertices.glsl"
@@ -15,6 +16,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 2) readonly buffer Indices { uint indices[]; };
 layout(std430, binding = 3) buffer MovedBoxes {
     uint all_moved;
+    uint any_moved;
     uint moved_boxes[];
 };
 uniform uint triangle_count;
@@ -77,6 +79,7 @@ void main() {
     }
     if (!moved)
         return;
+    any_moved = 1u;
     mark_triangle(before);
     mark_triangle(now);
     if (turns_left <= 0)

@@ -11,6 +11,7 @@
 layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer MovedBoxes {
     uint all_moved;
+    uint any_moved;
     uint moved_boxes[];
 };
 layout(std430, binding = 1) writeonly buffer RowDistances { int row_distances[]; };

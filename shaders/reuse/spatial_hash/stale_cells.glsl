@@ -16,12 +16,14 @@ bool is_stale(CellKey key, uint use_age) {
         return false;
     int reach = max(key.level - first_level, 0);
     if (reach >= kReaches)
-        return true;
+        return moved_anywhere(frame, use_age);
     vec3 centre = cell_centre(key, inverse_smallest);
     if (moved_before(centre, reach, frame, use_age))
         return true;
-    float size = power_of_two(key.level) / inverse_smallest;
-    return moved_last_within(centre, cell_reach + size * cell_radius(jitter_scale));
+    EXACT float size = power_of_two(key.level) / inverse_smallest;
+    EXACT float extent = size * cell_radius(jitter_scale);
+    EXACT float all = cell_reach + extent;
+    return moved_last_within(centre, all);
 }
 
 /// As use_cell, but leaves a cell that is stale as it is, so that all its pixels see it: its sums

@@ -8,8 +8,9 @@ namespace romascope::gpu {
 #endif
 
 SHARED_FN vec3 cell_centre(CellKey key, float inverse_smallest) {
-    float size = power_of_two(key.level) / inverse_smallest;
-    return (vec3(key.cell) + 0.5f) * size;
+    EXACT float size = power_of_two(key.level) / inverse_smallest;
+    EXACT vec3 centre = (vec3(key.cell) + 0.5f) * size;
+    return centre;
 }
 
 /// How far from its centre points lie at most whose rays a cell takes, in cells: half its diagonal,
