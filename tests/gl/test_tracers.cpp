@@ -85,7 +85,8 @@ TEST_P(TracersTest, WhatItTakesIsKnownBefore) {
         for (const StructureBytes& structure : tracer->bytes())
             taken += structure.bytes;
         EXPECT_LE(taken, needed) << resolution;
-        EXPECT_GT(taken, needed / 10 * 9) << resolution;
+        // Software alone packs the base map for the shear.
+        EXPECT_GT(taken, needed / 10 * 8) << resolution;
     }
 }
 

@@ -7,8 +7,9 @@
 // A work group has a row of columns.
 //
 // Slices along z: words have their bits along the slices already, so that a word of a column takes
-// one bit from each of 32 words. An invocation has a column, in the order in which they are stored.
-// One for each word of a column takes longer: more work groups.
+// one bit from each of 32 words. An invocation has a column, a work group those of one row, to which
+// where the rows of the base map begin is common. One for each word of a column takes longer: more
+// work groups.
 //
 // In:   base_words   see base_map.h
 //       shear_maps   one ShearMap per direction
