@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "app/commands.h"
 #include "app/common_options.h"
+#include "app/flicker_watch.h"
 #include "app/frame_run.h"
 #include "app/lag_watch.h"
 #include "app/output_files.h"
@@ -45,6 +46,9 @@ struct RenderOptions {
 };
 
 void check_jump(std::pair<int, double> jump, const Settings& settings, bool flies) {
+    if (settings.get(kFrames) < 2)
+        throw Error("--jump needs at least --frames 2: there are frames before it and after it",
+                    kBadInput);
     if (jump.first < 1 || jump.first >= settings.get(kFrames))
         throw Error(fmt::format("--jump {} {}: it needs frames before and after it: its frame is "
                                 "from 1 to {}, one below --frames",
@@ -134,13 +138,15 @@ int render(const RenderOptions& options) {
     Pipeline pipeline(scene, shaders());
     for (const std::string& notice : notices_of(settings, scene))
         tell_notice(file, notice);
+    std::optional<Truths> truths;
+    if (options.reference_samples)
+        truths.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
     std::optional<LagWatch> lag;
     if (judges_lag)
-        lag.emplace(scene, settings, showing, options.jump->first, *options.reference_samples,
-                    !options.no_cache, shaders());
+        lag.emplace(scene, settings, showing, *truths, options.jump->first, shaders());
     std::optional<FlickerWatch> flicker;
     if (options.flicker)
-        flicker.emplace(scene, settings, showing, *options.reference_samples, !options.no_cache);
+        flicker.emplace(*truths, settings.get(kFrames));
     std::optional<FlightWatch> flight;
     if (!options.path.empty())
         flight.emplace(showing, settings);
@@ -166,13 +172,14 @@ int render(const RenderOptions& options) {
     facts.bytes = run.bytes;
     facts.counts = run.counts;
     if (options.jump)
-        facts.jumped_to = options.jump->second;
+        facts.jump = TimeJump{options.jump->first, options.jump->second};
     if (flight)
         facts.flight = flight->facts();
-    if (options.reference_samples) {
-        const int samples = *options.reference_samples;
-        const AoReference truth = truth_of(scene, camera, settings, samples, !options.no_cache);
-        facts.errors = judge(truth, run.picture, samples);
+    if (truths) {
+        const AoReference& truth = truths->now();
+        facts.errors = judge(truth, run.picture, *options.reference_samples);
+        facts.errors->reference_seconds = truths->seconds();
+        facts.errors->reference_from_cache = truths->from_cache();
         if (flicker)
             facts.errors->flicker = flicker->value();
         if (lag)

@@ -174,23 +174,6 @@ AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& s
                                        {.use_cache = use_cache});
 }
 
-FlickerWatch::FlickerWatch(const Scene& scene, const Settings& settings, const Showing& showing,
-                           int samples, bool use_cache)
-    : scene_(scene), settings_(settings), showing_(showing), samples_(samples),
-      use_cache_(use_cache) {}
-
-void FlickerWatch::operator()(const Pipeline& pipeline, int frame) {
-    if (frame + 1 < settings_.get(kFrames) / 2)
-        return;
-    if (showing_.changed() || !truth_) {
-        Scene posed = scene_;
-        if (!posed.motion.empty())
-            apply_pose(posed, showing_.pose());
-        truth_ = truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
-    }
-    flicker_.add(*truth_, pipeline.picture());
-}
-
 FlightWatch::FlightWatch(const Showing& showing, const Settings& settings) {
     facts_.stops = showing.stops();
     if (is_visibility(settings.get(kView)))

@@ -5,7 +5,6 @@
 
 #include "app/report.h"
 #include "renderer/frame/pipeline.h"
-#include "renderer/metrics/flicker.h"
 #include "renderer/reference/ao_reference.h"
 
 #include <functional>
@@ -20,12 +19,6 @@ namespace romascope {
 /// side. Throws Error.
 void check_memory(const Scene& scene, const Settings& settings, size_t left, bool given,
                   size_t pipelines = 1);
-
-/// A sudden change: from a frame on, counted from 0, the scene stands at another moment.
-struct TimeJump {
-    int frame = 0;
-    double seconds = 0;
-};
 
 /// What the frames show: the pose and the camera of each in turn, made anew only as time goes on or
 /// the camera flies.
@@ -95,27 +88,6 @@ FrameRun render_frames(Pipeline& pipeline, const Settings& settings, Showing& sh
 /// The ambient occlusion that those frames should show, with `samples` rays per pixel.
 AoReference truth_of(const Scene& scene, const Camera& camera, const Settings& settings,
                      int samples, bool use_cache);
-
-/// The flicker of those frames, watched as they are rendered: over the second half of them, when
-/// what has to come to rest has. Each frame's picture is read back, and its truth made where it is
-/// another.
-class FlickerWatch {
-public:
-    /// Keeps references. `scene`: at rest, or as the first frame shows it.
-    FlickerWatch(const Scene& scene, const Settings& settings, const Showing& showing, int samples,
-                 bool use_cache);
-    void operator()(const Pipeline& pipeline, int frame);
-    double value() const { return flicker_.value(); }
-
-private:
-    const Scene& scene_;
-    const Settings& settings_;
-    const Showing& showing_;
-    int samples_;
-    bool use_cache_;
-    std::optional<Image> truth_; ///< of all frames, if nothing moves
-    Flicker flicker_;
-};
 
 /// Errors of a picture against it.
 ReportErrors judge(const AoReference& truth, const Image& picture, int samples);

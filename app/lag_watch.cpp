@@ -1,22 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include "app/lag_watch.h"
 
-#include "renderer/scene/pose.h"
-
 #include <cmath>
 
 namespace romascope {
 
-LagWatch::LagWatch(const Scene& scene, const Settings& settings, const Showing& showing, int first,
-                   int samples, bool use_cache, ShaderLibrary shaders)
-    : scene_(scene), settings_(settings), showing_(showing), first_(first), samples_(samples),
-      use_cache_(use_cache), fresh_(scene, std::move(shaders)) {}
-
-Image LagWatch::truth_now() const {
-    Scene posed = scene_;
-    apply_pose(posed, showing_.pose());
-    return truth_of(posed, showing_.camera(), settings_, samples_, use_cache_).visibility;
-}
+LagWatch::LagWatch(const Scene& scene, const Settings& settings, const Showing& showing,
+                   Truths& truths, int first, ShaderLibrary shaders)
+    : settings_(settings), showing_(showing), truths_(truths), first_(first),
+      fresh_(scene, std::move(shaders)) {}
 
 bool LagWatch::is_judged(size_t pixel) const {
     return std::abs(truth_.data[pixel] - before_.data[pixel]) >= kChange;
@@ -33,11 +25,11 @@ double LagWatch::error_of(const Pipeline& pipeline) const {
 
 void LagWatch::operator()(const Pipeline& pipeline, int frame) {
     if (frame + 1 == first_)
-        before_ = truth_now();
+        before_ = truths_.now().visibility;
     if (frame < first_)
         return;
     if (frame == first_) {
-        truth_ = truth_now();
+        truth_ = truths_.now().visibility;
         for (size_t i = 0; i < truth_.data.size(); ++i)
             changed_ = changed_ || is_judged(i);
         fresh_.restart(static_cast<uint32_t>(frame)); // with the same random numbers

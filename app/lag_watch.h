@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "app/frame_run.h"
+#include "app/truths.h"
 
 namespace romascope {
 
@@ -17,23 +17,21 @@ public:
 
     /// Keeps references. `first`: the frame that shows something else than those before, and all
     /// from there on do. `scene`: at rest.
-    LagWatch(const Scene& scene, const Settings& settings, const Showing& showing, int first,
-             int samples, bool use_cache, ShaderLibrary shaders);
+    LagWatch(const Scene& scene, const Settings& settings, const Showing& showing, Truths& truths,
+             int first, ShaderLibrary shaders);
     void operator()(const Pipeline& pipeline, int frame);
     /// Frames from the first on until none lags any more; all of them if the last one does. Nothing
     /// if the truth changed nowhere by kChange: then there is nothing to lag behind.
     std::optional<int> value() const { return changed_ ? std::optional(lag_) : std::nullopt; }
 
 private:
-    Image truth_now() const;
     bool is_judged(size_t pixel) const;
     double error_of(const Pipeline& pipeline) const;
 
-    const Scene& scene_;
     const Settings& settings_;
     const Showing& showing_;
-    int first_, samples_;
-    bool use_cache_;
+    Truths& truths_;
+    int first_;
     Pipeline fresh_;
     Image before_, truth_; ///< before the change, after it
     bool changed_ = false;

@@ -33,13 +33,13 @@ Json settings_json(const Settings& settings) {
     return json;
 }
 
-Json time_json(const Scene& scene, const Settings& settings, std::optional<double> jumped_to) {
+Json time_json(const Scene& scene, const Settings& settings, const std::optional<TimeJump>& jump) {
     const int animation = find_animation(scene, settings.get(kAnimation));
     const auto& animations = scene.motion.animations;
     return {{"animation",
              animation < 0 ? Json() : Json(animations[static_cast<size_t>(animation)].name)},
             {"first_s", time_of_frame(settings, 0)},
-            {"last_s", jumped_to.value_or(time_of_frame(settings, settings.get(kFrames) - 1))}};
+            {"last_s", jump ? jump->seconds : time_of_frame(settings, settings.get(kFrames) - 1)}};
 }
 
 Json passes_json(const ReportFacts& facts) {
@@ -78,7 +78,7 @@ std::string report_json(const ReportFacts& facts) {
     json["settings"] = settings_json(*facts.settings);
     json["scene"] = scene_summary(*facts.scene, facts.scene_file);
     json["camera"] = camera_json(facts.camera);
-    json["time"] = time_json(*facts.scene, *facts.settings, facts.jumped_to);
+    json["time"] = time_json(*facts.scene, *facts.settings, facts.jump);
     json["driver"] = {{"backend", facts.backend},          {"gl_version", facts.driver.version},
                       {"glsl_version", facts.driver.glsl}, {"vendor", facts.driver.vendor},
                       {"renderer", facts.driver.renderer}, {"software", facts.driver.software}};
@@ -98,6 +98,8 @@ std::string report_json(const ReportFacts& facts) {
         for (const NamedCount& counted : facts.flight->most)
             json["flight"]["most"][counted.name] = counted.count;
     }
+    if (facts.jump)
+        json["jump"] = {{"frame", facts.jump->frame}, {"seconds", facts.jump->seconds}};
     if (facts.errors) {
         json["errors"] = {{"reference_samples", facts.errors->samples},
                           {"reference_seconds", facts.errors->reference_seconds},
@@ -130,7 +132,7 @@ std::string error_table(const ReportFacts& facts) {
         text += fmt::format("{:<20} {:>12.6f}\n", "flicker", *errors.flicker);
     if (errors.lag)
         text += fmt::format("{:<20} {:>12}\n", "lag in frames", *errors.lag);
-    else if (facts.jumped_to)
+    else if (facts.jump)
         text += "no lag: the jump changes ambient occlusion nowhere by 0.2\n";
     return text;
 }

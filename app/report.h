@@ -19,12 +19,18 @@ inline constexpr const char* kReportSchema = "romascope-report/1";
 
 /// Errors against the reference.
 struct ReportErrors {
-    int samples = 0; ///< of the reference, per pixel
-    double reference_seconds = 0;
-    bool reference_from_cache = false;
+    int samples = 0;                   ///< of the reference, per pixel
+    double reference_seconds = 0;      ///< of all truths that were made use of
+    bool reference_from_cache = false; ///< all of them, before the run
     double flip = 0, rmse = 0, mae = 0, bias = 0;
     std::optional<double> flicker; ///< see Flicker
     std::optional<int> lag;        ///< frames; none after a jump: see LagWatch::value
+};
+
+/// A sudden change: from a frame on, counted from 0, the scene stands at another moment.
+struct TimeJump {
+    int frame = 0;
+    double seconds = 0;
 };
 
 /// What went wrong in any frame of a flight.
@@ -50,7 +56,7 @@ struct ReportFacts {
     std::vector<StructureBytes> bytes;
     std::vector<NamedCount> counts; ///< of the last frame
     std::optional<FlightFacts> flight;
-    std::optional<double> jumped_to; ///< seconds, where the time jumped
+    std::optional<TimeJump> jump;
     std::optional<ReportErrors> errors;
 };
 

@@ -65,13 +65,18 @@ class Moving(CliTest):
         jumped = self.at("--time", "0.25", "--jump", "1", "0.75", *still)
         self.assertEqual(jumped, self.at("--time", "0.75", *still))
         self.assertEqual(jumped, self.at("--time", "0.25", "--jump", "2", "0.75", *still))
-        time = self.report("--time", "0.25", "--jump", "1", "0.75", *still)["time"]
+        report = self.report("--time", "0.25", "--jump", "1", "0.75", *still)
+        self.assertEqual(report["jump"], {"frame": 1, "seconds": 0.75})
+        self.assertNotIn("jump", self.report("--time", "0.25", *still))
+        time = report["time"]
         self.assertEqual((time["first_s"], time["last_s"]), (0.25, 0.75))
         for words, says in ((("--jump", "3", "1"), "from 1 to 2"), (("--jump", "0", "1"), "from 1 to 2"),
                             (("--jump", "1", "-1"), "0 seconds or more"),
                             (("--jump", "1", "nan"), "0 seconds or more"),
                             (("--jump", "1", "1", "--fps", "2"), "--fps")):
             self.refuse("render", "moving.gltf", "-o", "out.png", *still, *words, says=[says])
+        self.refuse("render", "moving.gltf", "-o", "out.png", "--jump", "1", "1.2",
+                    says=["--jump needs at least --frames 2"])
         self.refuse("render", "cornell", "-o", "out.png", *still, "--jump", "1", "1",
                     says=["nothing in it moves,"])
         self.refuse("render", "moving.gltf", "-o", "out.png", *still, "--jump", "1", "1",
@@ -93,6 +98,28 @@ class Moving(CliTest):
                     "--frames", "2", "--reference", "1", "--max-memory", "100MiB", says=["all twice"])
         # A history that is never held to what is seen.
         self.assertGreater(lag("--set", "temporal.enabled=true", "--set", "temporal.clamp=inf"), 8)
+
+    def test_all_truths_count(self):
+        def errors(*words):
+            return self.report("--reference", "4", "--set", "mean.enabled=false", *words)["errors"]
+
+        def told(found):
+            return found["reference_from_cache"], found["reference_seconds"]
+
+        moves = ("--flicker", "--time", "0.25", "--fps", "4", "--frames", "4")
+        jumps = ("--time", "0.3", "--jump", "1", "0.8", "--frames", "3")
+        for words, moments in ((moves, (0.5, 0.75, 1.0)), (jumps, (0.3, 0.8))):
+            with self.subTest(words):
+                from_cache, seconds = told(errors(*words))
+                self.assertFalse(from_cache)  # though the last frame's is there twice
+                self.assertEqual(told(errors(*words)), (True, seconds))
+                alone = [told(errors("--time", str(moment))) for moment in moments]
+                self.assertTrue(all(cached for cached, _ in alone))
+                self.assertAlmostEqual(sum(each for _, each in alone), seconds, places=9)
+                self.assertFalse(told(errors(*words, "--no-cache"))[0])
+        # One that is missing is enough.
+        errors("--time", "0.6")
+        self.assertFalse(told(errors("--time", "0.6", "--jump", "1", "0.7", "--frames", "2"))[0])
 
     def test_nothing_to_lag_behind(self):
         words = ("render", "dancers", "--size", "32x18", "--time", "0.4", "--jump", "1", "0.4",

@@ -82,6 +82,7 @@ class Report(CliTest):
                 + (() if "--flicker" in words else ("errors.flicker",))
                 + (() if "--jump" in words else ("errors.lag_frames",))
                 + (() if "--path" in words else ("flight.",))
+                + (() if "--jump" in words else ("jump.",))
                 + (() if "roma.snap=false" in words or "--path" in words else ("counts.",)))}
             self.assertEqual(found - documented.keys(), set())
             self.assertEqual(documented.keys() - found - maybe, set())
