@@ -81,9 +81,13 @@ protected:
     std::map<size_t, glm::vec3> places(const std::vector<gpu::Cell>& cells, const Bounds& bounds) {
         const float inverse = 1.0f / smallest_cell_size(settings_);
         std::unordered_map<uint32_t, size_t> slots;
-        for (size_t slot = 0; slot < cells.size(); ++slot)
-            if (cells[slot].checksum != 0)
+        std::vector<bool> taken(1u << 22); // by part of the checksum: nearly all keys have no cell
+        for (size_t slot = 0; slot < cells.size(); ++slot) {
+            if (cells[slot].checksum != 0) {
                 slots[cells[slot].checksum] = slot;
+                taken[cells[slot].checksum >> 10] = true;
+            }
+        }
         std::map<size_t, glm::vec3> places;
         const glm::ivec3 low = glm::ivec3(glm::floor(bounds.min * inverse)) - 3;
         const glm::ivec3 high = glm::ivec3(glm::floor(bounds.max * inverse)) + 3;
@@ -99,7 +103,10 @@ protected:
             for (key.cell.z = low.z; key.cell.z <= high.z; ++key.cell.z)
                 for (key.cell.y = low.y; key.cell.y <= high.y; ++key.cell.y)
                     for (key.cell.x = low.x; key.cell.x <= high.x; ++key.cell.x) {
-                        const auto found = slots.find(gpu::key_checksum(key));
+                        const uint32_t checksum = gpu::key_checksum(key);
+                        if (!taken[checksum >> 10])
+                            continue;
+                        const auto found = slots.find(checksum);
                         const auto mask = static_cast<uint32_t>(cells.size() - 1);
                         if (found != slots.end() &&
                             ((static_cast<uint32_t>(found->second) - gpu::home_hash(key)) & mask) <
@@ -149,6 +156,12 @@ protected:
         std::vector<glm::vec3> points = points_of_moving(scene, from, spacing);
         for (const glm::vec3 point : points_of_moving(scene, to, spacing))
             points.push_back(point);
+        // Triangles share their corners.
+        const auto before = [](glm::vec3 a, glm::vec3 b) {
+            return std::tie(a.x, a.y, a.z) < std::tie(b.x, b.y, b.z);
+        };
+        std::ranges::sort(points, before);
+        points.erase(std::unique(points.begin(), points.end()), points.end());
         Bounds bounds = scene.bounds;
         for (const glm::vec3 point : points)
             bounds.add(point);
