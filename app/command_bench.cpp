@@ -45,6 +45,7 @@ Settings bench_settings(const BenchOptions& options) {
     settings.set(kAoRays, 1);
     settings = options.settings.apply_to(settings);
     check_one_moment(settings);
+    check_technique(settings, options.settings.technique);
     return settings;
 }
 

@@ -51,6 +51,7 @@ Settings split_settings(const SplitOptions& options) {
     settings.set(kFrames, 16);
     settings = options.settings.apply_to(settings);
     check_one_moment(settings);
+    check_technique(settings, options.settings.technique);
     return settings;
 }
 

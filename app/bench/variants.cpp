@@ -27,20 +27,29 @@ constexpr std::string_view kShared[] = {"render.", "frame.", "view.", "lit."};
 constexpr std::string_view kLater[] = {"hash.",   "history.", "temporal.",
                                        "atrous.", "taa.",     "mean."};
 
+constexpr std::string_view kByThemselves =
+    "tracers are looked at by themselves, without the stages that reuse what they found";
+
 bool is_of(std::string_view key, std::span<const std::string_view> groups) {
     return std::ranges::any_of(groups,
                                [&](std::string_view group) { return key.starts_with(group); });
 }
 
-/// Refuses stages that would be told with the results and have no part in them.
-void check_stages(const Settings& settings) {
+/// A switch of a stage that would be told with the results and has no part in them; null: none is
+/// on.
+const KnobBase* stage_in_use(const Settings& settings) {
     for (const KnobBase* knob : settings.table().all())
         if (is_of(knob->key(), kLater) && knob->key().ends_with(".enabled") && knob != &kMean &&
             !settings.is_default(*knob))
-            throw Error(fmt::format("{}: tracers are looked at by themselves, without the stages "
-                                    "that reuse what they found; leave it at {}",
-                                    knob->key(), to_text(knob->default_value())),
-                        kBadInput);
+            return knob;
+    return nullptr;
+}
+
+void check_stages(const Settings& settings) {
+    if (const KnobBase* stage = stage_in_use(settings))
+        throw Error(fmt::format("{}: {}; leave it at {}", stage->key(), kByThemselves,
+                                to_text(stage->default_value())),
+                    kBadInput);
 }
 
 std::vector<std::string> split(const std::string& text, char at) {
@@ -122,6 +131,20 @@ void check_count(size_t count, size_t allowed, size_t most) {
 
 } // namespace
 
+void check_technique(const Settings& base, const std::string& technique) {
+    if (technique.empty())
+        return;
+    Settings alone(all_knobs());
+    apply_technique(alone, technique);
+    const KnobBase* stage = stage_in_use(alone);
+    if (!stage || !stage_in_use(base))
+        return;
+    throw Error(fmt::format("--technique {}: it has {}={}, but {}; take --technique {}", technique,
+                            stage->key(), to_text(alone.value(*stage)), kByThemselves,
+                            alone.get(kTracer)),
+                kBadInput);
+}
+
 Variation parse_variation(const Settings& base, const std::string& text) {
     const size_t equals = text.find('=');
     if (equals == std::string::npos)
@@ -130,10 +153,7 @@ Variation parse_variation(const Settings& base, const std::string& text) {
     const std::string key = text.substr(0, equals);
     Variation variation{&base.table().at(key), split(text.substr(equals + 1), ',')};
     if (is_of(key, kLater))
-        throw Error(fmt::format("--vary {}: tracers are looked at by themselves, without the "
-                                "stages that reuse what they found",
-                                key),
-                    kBadInput);
+        throw Error(fmt::format("--vary {}: {}", key, kByThemselves), kBadInput);
     if (is_of(key, kShared))
         throw Error(fmt::format("--vary {}: all variants share one picture; give one value with "
                                 "--set",

@@ -23,6 +23,11 @@ struct BenchVariant {
     Settings settings;
 };
 
+/// Refuses a technique by whose doing `base` has a stage after the tracers, as the spatial hash,
+/// and names the one of its tracer alone, which is named like it. Empty: none was given. Throws
+/// Error (kBadInput).
+void check_technique(const Settings& base, const std::string& technique);
+
 /// "key=a,b,c". Throws Error (kBadInput) for what is no setting, no value of it, given twice, or a
 /// setting that all variants share (picture, camera, time, view).
 Variation parse_variation(const Settings& base, const std::string& text);

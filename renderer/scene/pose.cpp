@@ -3,6 +3,7 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/listing.h"
 
 #include <fmt/format.h>
 
@@ -179,9 +180,10 @@ int find_animation(const Scene& scene, const std::string& wanted) {
         throw Error(
             fmt::format("scene '{}' has no animation '{}': it has none at all", scene.name, wanted),
             kBadInput);
-    throw Error(fmt::format("scene '{}' has no animation '{}'{} (numbers go from "
+    throw Error(fmt::format("scene '{}' has no animation '{}'{} (it has {}; numbers go from "
                             "0 to {})",
-                            scene.name, wanted, did_you_mean(wanted, names), animations.size() - 1),
+                            scene.name, wanted, did_you_mean(wanted, names), listing(names),
+                            animations.size() - 1),
                 kBadInput);
 }
 

@@ -18,7 +18,7 @@ struct Pose {
 
 /// The index of an animation of the scene by its name or number; the first (-1: there is none) for
 /// "", -1 for "none": all stands as without animation.
-/// Throws Error (kBadInput) that names the nearest.
+/// Throws Error (kBadInput) that names the nearest and lists them.
 int find_animation(const Scene& scene, const std::string& wanted);
 
 /// The pose at a time in seconds >= 0. Animations start over at their end. `animation`: -1 for

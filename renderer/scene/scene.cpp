@@ -3,6 +3,7 @@
 
 #include "renderer/base/did_you_mean.h"
 #include "renderer/base/error.h"
+#include "renderer/base/listing.h"
 
 #include <fmt/format.h>
 
@@ -56,18 +57,14 @@ std::vector<TriangleGroup> triangle_groups(const Scene& scene) {
 }
 
 const Camera& Scene::camera(const std::string& wanted) const {
-    constexpr size_t kMostTold = 20;
     std::vector<std::string> names;
     for (const Camera& candidate : cameras) {
         if (candidate.name == wanted)
             return candidate;
         names.push_back(candidate.name);
     }
-    const std::string nearest = did_you_mean(wanted, names);
-    const bool all = names.size() <= kMostTold;
-    names.resize(std::min(names.size(), kMostTold));
-    throw Error(fmt::format("scene '{}' has no camera '{}'{} (it has {}{})", name, wanted, nearest,
-                            fmt::join(names, ", "), all ? "" : ", ..."),
+    throw Error(fmt::format("scene '{}' has no camera '{}'{} (it has {})", name, wanted,
+                            did_you_mean(wanted, names), listing(names)),
                 kBadInput);
 }
 

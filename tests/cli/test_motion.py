@@ -157,3 +157,5 @@ class Moving(CliTest):
     def test_unknown_animations_are_refused_with_the_nearest(self):
         self.refuse("render", "moving.gltf", "-o", "out.png", "--animation", "animation 7",
                     says=["no animation 'animation 7'", "did you mean 'animation 0'", "0 to 1"])
+        self.refuse("render", "moving.gltf", "-o", "out.png", "--animation", "foo",
+                    says=["no animation 'foo' (it has animation 0, animation 1; numbers go"])

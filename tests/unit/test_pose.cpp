@@ -440,7 +440,8 @@ TEST(FindAnimation, by_name_or_number) {
     EXPECT_EQ(find_animation(scene, "2"), 2); // a name, too
     EXPECT_EQ(find_animation(scene, "3"), 3);
     EXPECT_EQ(error_of([&] { find_animation(scene, "rum"); }),
-              "scene 'dance' has no animation 'rum': did you mean 'run'? (numbers go from 0 to 3)");
+              "scene 'dance' has no animation 'rum': did you mean 'run'? (it has walk, run, 2, ; "
+              "numbers go from 0 to 3)");
     for (const char* wanted : {"4", "-1", "1x", "99999999999999999999"})
         EXPECT_NE(error_of([&] { find_animation(scene, wanted); }).find("0 to 3"),
                   std::string::npos);
