@@ -4,6 +4,7 @@
 #include "renderer/base/error.h"
 
 #include <cstdlib>
+#include <vector>
 
 namespace romascope {
 namespace {
@@ -20,7 +21,9 @@ const SharedContext& shared_context() {
         SharedContext made;
         ContextRequest request;
         request.debug = true;
-        for (const char* backend : {name ? name : "egl", name ? name : "osmesa"}) {
+        const std::vector<const char*> backends =
+            name ? std::vector{name} : std::vector{"egl", "osmesa"};
+        for (const char* backend : backends) {
             request.backend = backend_from_name(backend);
             try {
                 made.context = create_context(request);

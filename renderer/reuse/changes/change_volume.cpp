@@ -131,8 +131,8 @@ void ChangeVolume::begin(const FrameContext& frame, uint32_t first_vertex, float
 
 void ChangeVolume::release() {
     bounds_ = {};
-    for (Buffer* buffer : buffers())
-        *buffer = {};
+    for (const auto buffer : kBuffers)
+        this->*buffer = {};
 }
 
 bool ChangeVolume::covers(const Bounds& bounds) const {
@@ -237,8 +237,8 @@ void ChangeVolume::bind(const Program& program) const {
 
 size_t ChangeVolume::bytes() const {
     size_t all = 0;
-    for (const Buffer* buffer : buffers())
-        all += buffer->bytes();
+    for (const auto buffer : kBuffers)
+        all += (this->*buffer).bytes();
     return all;
 }
 

@@ -57,14 +57,6 @@ private:
     void mark(const FrameContext& frame, float tolerance);
     void follow(const FrameContext& frame, float tolerance);
     void measure(const FrameContext& frame, const Reaches& reaches);
-    std::array<Buffer*, 6> buffers() {
-        return {&followed_,   &moved_boxes_,   &row_distances_,
-                &row_minima_, &plane_squares_, &changes_};
-    }
-    std::array<const Buffer*, 6> buffers() const {
-        return {&followed_,   &moved_boxes_,   &row_distances_,
-                &row_minima_, &plane_squares_, &changes_};
-    }
     void set_grid(const Program& program) const;
 
     ProgramSlot mark_program_, follow_program_, row_program_, plane_program_, block_program_;
@@ -78,6 +70,9 @@ private:
     Buffer row_minima_;
     Buffer plane_squares_;
     Buffer changes_;
+    static constexpr std::array kBuffers = {
+        &ChangeVolume::followed_,   &ChangeVolume::moved_boxes_,   &ChangeVolume::row_distances_,
+        &ChangeVolume::row_minima_, &ChangeVolume::plane_squares_, &ChangeVolume::changes_};
 };
 
 } // namespace romascope
